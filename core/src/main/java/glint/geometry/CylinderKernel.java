@@ -1,0 +1,179 @@
+package glint.geometry;
+
+import glint.math.Vector3d;
+
+/**
+ * Ray against cylinder, cone or frustum: base, unit axis, height, radius, slope, capped.
+ *
+ * <p>The side is |p⊥| = ρ(s), ρ(s) = radius + slope·s, with s along and p⊥ across the axis. As for
+ * the sphere, the discriminant comes from l, the point of the ray nearest to the axis, seen across
+ * it: D = a(ρ₀² - l²) + (slope·ds)²l² with ρ₀ = ρ at l, not from b² - ac. A capped one is convex: the
+ * part of the ray inside is the part inside the side cut by the part between the caps, so no ray
+ * slips through at a rim.
+ */
+final class CylinderKernel {
+
+  /** How many doubles a cylinder takes. */
+  static final int SIZE = 10;
+
+  private static final int SIDE = 0;
+  private static final int BASE = 1;
+  private static final int TOP = 2;
+
+  private CylinderKernel() {}
+
+  static double[] pack(Vector3d base, Vector3d top, double radius, double topRadius, boolean capped) {
+    Vector3d axis = top.minus(base);
+    Vector3d a = axis.normalized();
+    double height = axis.length();
+    double slope = (topRadius - radius) / height;
+    double[] data = {
+      base.x(), base.y(), base.z(), a.x(), a.y(), a.z(), height, radius, slope, capped ? 1 : 0
+    };
+    return data;
+  }
+
+  static void intersect(double[] data, int at, Ray ray, Hit hit, int id) {
+    double fx = ray.ox - data[at];
+    double fy = ray.oy - data[at + 1];
+    double fz = ray.oz - data[at + 2];
+    double ax = data[at + 3];
+    double ay = data[at + 4];
+    double az = data[at + 5];
+    double height = data[at + 6];
+    double slope = data[at + 8];
+
+    // Split origin and direction into parts along and across the axis.
+    double fs = fx * ax + fy * ay + fz * az;
+    double ds = ray.dx * ax + ray.dy * ay + ray.dz * az;
+    fx -= fs * ax;
+    fy -= fs * ay;
+    fz -= fs * az;
+    double dx = ray.dx - ds * ax;
+    double dy = ray.dy - ds * ay;
+    double dz = ray.dz - ds * az;
+
+    // Compute the discriminant at the point of the ray nearest to the axis.
+    double widening = slope * ds;
+    double across = dx * dx + dy * dy + dz * dz;
+    double b = fx * dx + fy * dy + fz * dz;
+    double nearest = across > 0 ? -b / across : 0;
+    double lx = fx + nearest * dx;
+    double ly = fy + nearest * dy;
+    double lz = fz + nearest * dz;
+    double l2 = lx * lx + ly * ly + lz * lz;
+    double rhoThere = data[at + 7] + slope * (fs + nearest * ds);
+    double discriminant = across * (rhoThere * rhoThere - l2) + widening * widening * l2;
+    if (!(discriminant >= 0)) {
+      return;
+    }
+
+    // Solve for the side, from the origin.
+    double rho = data[at + 7] + slope * fs;
+    double qa = across - widening * widening;
+    double qb = b - widening * rho;
+    double qc = fx * fx + fy * fy + fz * fz - rho * rho;
+    double root = Math.sqrt(discriminant);
+    double q = qb > 0 ? -qb - root : -qb + root;
+    double first = qb > 0 ? q / qa : qc / q;
+    double second = qb > 0 ? qc / q : q / qa;
+    if (data[at + 9] == 0) {
+      offerSide(Math.min(first, second), fs, ds, height, ray, hit, id);
+      offerSide(Math.max(first, second), fs, ds, height, ray, hit, id);
+      return;
+    }
+    double near = Math.min(first, second);
+    double far = Math.max(first, second);
+    if (qa == 0 && widening == 0) { // parallel to a cylinder's side: inside all along or never
+      if (!(qc <= 0)) {
+        return;
+      }
+      near = Double.NEGATIVE_INFINITY;
+      far = Double.POSITIVE_INFINITY;
+    } else if (qa <= 0) { // steeper than the side: inside beyond one root, on the nappe that opens
+      double beyond = qa == 0 ? qc / (-2 * qb) : widening > 0 ? far : near;
+      near = widening > 0 ? beyond : Double.NEGATIVE_INFINITY;
+      far = widening > 0 ? Double.POSITIVE_INFINITY : beyond;
+    }
+    offerSolid(near, far, fs, ds, height, ray, hit, id);
+  }
+
+  private static void offerSide(
+      double t, double fs, double ds, double height, Ray ray, Hit hit, int id) {
+    double s = fs + t * ds;
+    if (s >= 0 && s <= height) {
+      hit.offer(ray, t, id, SIDE, 0);
+    }
+  }
+
+  /** Cuts the part of the ray inside the side by the part between the caps. */
+  private static void offerSolid(
+      double near, double far, double fs, double ds, double height, Ray ray, Hit hit, int id) {
+    int nearPart = SIDE;
+    int farPart = SIDE;
+    if (ds == 0) {
+      if (!(fs >= 0 && fs <= height)) {
+        return;
+      }
+    } else {
+      double toBase = -fs / ds;
+      double toTop = (height - fs) / ds;
+      if (Math.min(toBase, toTop) > near) {
+        near = Math.min(toBase, toTop);
+        nearPart = toBase < toTop ? BASE : TOP;
+      }
+      if (Math.max(toBase, toTop) < far) {
+        far = Math.max(toBase, toTop);
+        farPart = toBase < toTop ? TOP : BASE;
+      }
+    }
+    if (near <= far) {
+      boolean outside = near > ray.tMin;
+      hit.offer(ray, outside ? near : far, id, outside ? nearPart : farPart, 0);
+    }
+  }
+
+  /** Projects the point onto the part that was hit. */
+  static void resolve(double[] data, int at, Ray ray, Hit hit) {
+    double ax = data[at + 3];
+    double ay = data[at + 4];
+    double az = data[at + 5];
+    double height = data[at + 6];
+    double radius = data[at + 7];
+    double slope = data[at + 8];
+    double fx = ray.ox - data[at] + hit.t * ray.dx;
+    double fy = ray.oy - data[at + 1] + hit.t * ray.dy;
+    double fz = ray.oz - data[at + 2] + hit.t * ray.dz;
+    double s = fx * ax + fy * ay + fz * az;
+    double wx = fx - s * ax;
+    double wy = fy - s * ay;
+    double wz = fz - s * az;
+    int part = (int) hit.u;
+    if (part == SIDE) {
+      s = Math.min(Math.max(s, 0), height);
+      double length = Math.sqrt(wx * wx + wy * wy + wz * wz);
+      double unit = length > 0 ? 1 / length : 0;
+      double tilt = 1 / Math.sqrt(1 + slope * slope);
+      hit.nx = (wx * unit - slope * ax) * tilt;
+      hit.ny = (wy * unit - slope * ay) * tilt;
+      hit.nz = (wz * unit - slope * az) * tilt;
+      double stretch = (radius + slope * s) * unit;
+      wx *= stretch;
+      wy *= stretch;
+      wz *= stretch;
+    } else {
+      s = part == BASE ? 0 : height;
+      double outward = part == BASE ? -1 : 1;
+      hit.nx = outward * ax;
+      hit.ny = outward * ay;
+      hit.nz = outward * az;
+    }
+    hit.px = data[at] + s * ax + wx;
+    hit.py = data[at + 1] + s * ay + wy;
+    hit.pz = data[at + 2] + s * az + wz;
+    double widest = Math.max(radius, radius + slope * height);
+    double size =
+        Math.abs(data[at]) + Math.abs(data[at + 1]) + Math.abs(data[at + 2]) + height + widest;
+    hit.offset = 16 * 0x1p-52 * size;
+  }
+}

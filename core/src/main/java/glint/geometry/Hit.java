@@ -1,0 +1,87 @@
+package glint.geometry;
+
+/**
+ * Where a ray meets a surface; scratch, owned by one worker.
+ *
+ * <p>The kernels write only {@link #t}, {@link #primitive} and two local numbers while they search;
+ * {@link Primitives#resolve} fills in point, normal and surface once, for the hit that won. The only
+ * way to start a secondary ray is from a hit, which moves the origin off the surface by a bound
+ * derived from the rounding of the hit point, so that nobody needs a bias.
+ */
+public final class Hit {
+
+  /** The {@link #primitive} of a search that has found nothing. */
+  public static final int NONE = Integer.MAX_VALUE;
+
+  /** The parameter of the closest hit so far, or the end of the search. */
+  public double t;
+
+  /** The primitive hit, or {@link #NONE}. */
+  public int primitive;
+
+  /** Two numbers that the kernel keeps for itself: barycentrics, or the part that was hit. */
+  double u;
+
+  double v;
+
+  /** The point, projected onto the surface. */
+  public double px;
+
+  public double py;
+  public double pz;
+
+  /** The unit normal, on the side that the surface calls its outside. */
+  public double nx;
+
+  public double ny;
+  public double nz;
+
+  /** The number of the surface, in scene order. */
+  public int surface;
+
+  /** How far along the normal a point is certain to lie off the surface, in scene units. */
+  double offset;
+
+  /** Begins a search for hits up to and including {@code tMax}. */
+  public void begin(double tMax) {
+    t = tMax;
+    primitive = NONE;
+  }
+
+  /** Returns whether the search found a hit. */
+  public boolean found() {
+    return primitive != NONE;
+  }
+
+  /** Records a hit if it is in range and closer; equal parameters go to the lower primitive. */
+  void offer(Ray ray, double candidate, int id, double newU, double newV) {
+    if (candidate > ray.tMin && (candidate < t || (candidate == t && id < primitive))) {
+      t = candidate;
+      primitive = id;
+      u = newU;
+      v = newV;
+    }
+  }
+
+  /** Sets {@code ray} to leave this point in a direction of any length, on the side it leads to. */
+  public void spawn(double dx, double dy, double dz, Ray ray) {
+    double side = dx * nx + dy * ny + dz * nz < 0 ? -offset : offset;
+    ray.set(px + side * nx, py + side * ny, pz + side * nz, dx, dy, dz);
+  }
+
+  /**
+   * Sets {@code ray} to lead from this point to a target, which it reaches at {@code t = 1}.
+   *
+   * <p>The target itself is no part of the way: search it with {@link #BEFORE_TARGET}.
+   */
+  public void spawnTo(double x, double y, double z, Ray ray) {
+    double side = (x - px) * nx + (y - py) * ny + (z - pz) * nz < 0 ? -offset : offset;
+    double ox = px + side * nx;
+    double oy = py + side * ny;
+    double oz = pz + side * nz;
+    ray.set(ox, oy, oz, x - ox, y - oy, z - oz);
+  }
+
+  /** The last parameter before the target of {@link #spawnTo}. */
+  public static final double BEFORE_TARGET = 1 - 0x1p-53;
+}

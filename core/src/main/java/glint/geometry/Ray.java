@@ -1,0 +1,87 @@
+package glint.geometry;
+
+/**
+ * A half-line {@code o + t d} with {@code t > tMin}; scratch, owned by one worker.
+ *
+ * <p>The direction has any length; {@code t} counts in units of it. Besides origin and direction it
+ * holds the shear that takes the direction to the unit z axis (Woop, Benthin, Wald 2013, Watertight
+ * Ray/Triangle Intersection), computed once a ray.
+ */
+public final class Ray {
+
+  public double ox;
+  public double oy;
+  public double oz;
+  public double dx;
+  public double dy;
+  public double dz;
+
+  /** Hits at or before this parameter do not count. */
+  public double tMin;
+
+  // The axis of the largest direction component, the two others in winding order, and the shear.
+  int kx;
+  int ky;
+  int kz;
+  double okx;
+  double oky;
+  double okz;
+  double shearX;
+  double shearY;
+  double shearZ;
+
+  /** Sets origin and direction, starting at the origin itself, which does not count. */
+  public void set(double ox, double oy, double oz, double dx, double dy, double dz) {
+    this.ox = ox;
+    this.oy = oy;
+    this.oz = oz;
+    this.dx = dx;
+    this.dy = dy;
+    this.dz = dz;
+    tMin = 0;
+    prepareShear();
+  }
+
+  private void prepareShear() {
+    double ax = Math.abs(dx);
+    double ay = Math.abs(dy);
+    double az = Math.abs(dz);
+    double dkx;
+    double dky;
+    double dkz;
+    if (ax >= ay && ax >= az) {
+      kz = 0;
+      kx = 1;
+      ky = 2;
+      okx = oy;
+      oky = oz;
+      okz = ox;
+      dkx = dy;
+      dky = dz;
+      dkz = dx;
+    } else if (ay >= az) {
+      kz = 1;
+      kx = 2;
+      ky = 0;
+      okx = oz;
+      oky = ox;
+      okz = oy;
+      dkx = dz;
+      dky = dx;
+      dkz = dy;
+    } else {
+      kz = 2;
+      kx = 0;
+      ky = 1;
+      okx = ox;
+      oky = oy;
+      okz = oz;
+      dkx = dx;
+      dky = dy;
+      dkz = dz;
+    }
+    shearX = dkx / dkz;
+    shearY = dky / dkz;
+    shearZ = 1 / dkz;
+  }
+}

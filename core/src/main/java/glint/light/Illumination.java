@@ -1,0 +1,150 @@
+package glint.light;
+
+import glint.color.Rgb;
+import glint.geometry.Hit;
+import glint.geometry.Ray;
+import glint.math.Vector3d;
+import java.util.ArrayList;
+import java.util.List;
+
+/** The lights of a scene in the form that shading touches: flat arrays, and the ambient sum. */
+public final class Illumination {
+
+  private static final byte POINT = 0;
+  private static final byte INVERSE_SQUARE = 1;
+  private static final byte DIRECTIONAL = 2;
+  private static final byte SPOT = 3;
+
+  private final Rgb ambient;
+  private final byte[] kind;
+  private final Rgb[] color;
+
+  /** A light's position, or for a directional light the unit vector towards it. */
+  private final Vector3d[] where;
+
+  /** A spot's unit axis, and the cosines at which it begins and ends to fade. */
+  private final Vector3d[] axis;
+
+  private final double[] cosInner;
+  private final double[] cosOuter;
+
+  /** Sums up the ambient lights and flattens the others; black ones are left out. */
+  public Illumination(List<Light> lights) {
+    Rgb sum = Rgb.BLACK;
+    List<Light> others = new ArrayList<>();
+    for (Light light : lights) {
+      if (light instanceof Light.Ambient) {
+        sum = sum.plus(light.color());
+      } else if (!light.color().isBlack()) {
+        others.add(light);
+      }
+    }
+    ambient = sum;
+    int n = others.size();
+    kind = new byte[n];
+    color = new Rgb[n];
+    where = new Vector3d[n];
+    axis = new Vector3d[n];
+    cosInner = new double[n];
+    cosOuter = new double[n];
+    for (int i = 0; i < n; i++) {
+      flatten(i, others.get(i));
+    }
+  }
+
+  private void flatten(int i, Light light) {
+    color[i] = light.color();
+    if (light instanceof Light.Point p) {
+      kind[i] = p.inverseSquare() ? INVERSE_SQUARE : POINT;
+      where[i] = p.position();
+    } else if (light instanceof Light.Directional d) {
+      kind[i] = DIRECTIONAL;
+      where[i] = d.direction().normalized().negated();
+    } else if (light instanceof Light.Spot s) {
+      kind[i] = SPOT;
+      where[i] = s.position();
+      axis[i] = s.lookAt().minus(s.position()).normalized();
+      double half = StrictMath.toRadians(s.angle() / 2);
+      cosOuter[i] = StrictMath.cos(half);
+      cosInner[i] = StrictMath.cos(half * (1 - s.softness()));
+    }
+  }
+
+  /** Returns the sum of the ambient lights. */
+  public Rgb ambient() {
+    return ambient;
+  }
+
+  /** Returns the number of lights that come from somewhere. */
+  public int count() {
+    return kind.length;
+  }
+
+  /**
+   * Computes what a light sends to a point, shadows aside.
+   *
+   * @return whether it sends anything; not if the light is at the point itself, where it has no
+   *     direction
+   */
+  public boolean at(int i, Hit hit, LightSample out) {
+    Vector3d w = where[i];
+    Rgb c = color[i];
+    if (kind[i] == DIRECTIONAL) {
+      out.set(w.x(), w.y(), w.z(), c, 1);
+      return true;
+    }
+    double x = w.x() - hit.px;
+    double y = w.y() - hit.py;
+    double z = w.z() - hit.pz;
+    double squared = x * x + y * y + z * z;
+    double distance = Math.sqrt(squared);
+    if (!(distance > 0)) {
+      return false;
+    }
+    double strength = 1;
+    if (kind[i] == INVERSE_SQUARE) {
+      strength = 1 / squared;
+    } else if (kind[i] == SPOT) {
+      Vector3d a = axis[i];
+      strength = fade(i, -(x * a.x() + y * a.y() + z * a.z()) / distance);
+    }
+    out.set(x / distance, y / distance, z / distance, c, strength);
+    return strength > 0;
+  }
+
+  /** Returns a spot's share at an angle off its axis: a cubic smooth step from rim to core. */
+  private double fade(int i, double cos) {
+    if (cos >= cosInner[i]) {
+      return 1;
+    }
+    if (cos <= cosOuter[i]) {
+      return 0;
+    }
+    double s = (cos - cosOuter[i]) / (cosInner[i] - cosOuter[i]);
+    return s * s * (3 - 2 * s);
+  }
+
+  /**
+   * Sets {@code ray} to the shadow ray from a hit to a light.
+   *
+   * @return the last parameter before the light
+   */
+  public double shadowRay(int i, Hit hit, Ray ray) {
+    Vector3d w = where[i];
+    if (kind[i] == DIRECTIONAL) {
+      hit.spawn(w.x(), w.y(), w.z(), ray);
+      return Double.POSITIVE_INFINITY;
+    }
+    hit.spawnTo(w.x(), w.y(), w.z(), ray);
+    return Hit.BEFORE_TARGET;
+  }
+
+  /** Returns an upper bound on the light, summed over lights, that any point can receive. */
+  public Rgb bound() {
+    Rgb sum = Rgb.BLACK;
+    for (int i = 0; i < kind.length; i++) {
+      sum = sum.plus(kind[i] == INVERSE_SQUARE ? Rgb.grey(Double.POSITIVE_INFINITY) : color[i]);
+    }
+    return sum;
+  }
+}

@@ -1,0 +1,34 @@
+package glint.optics;
+
+import glint.color.Rgb;
+import glint.math.Check;
+
+/**
+ * How a surface answers light, after Whitted (1980) with Blinn's or Phong's highlight; immutable.
+ *
+ * <p>All factors are linear RGB, zero or more, and are not forced to conserve energy.
+ *
+ * @param ambient the share of the ambient light that the surface gives back, colour included
+ * @param diffuse the Lambertian share of a light's colour times n·l, colour included
+ * @param specular the strength of the highlight
+ * @param shininess the highlight's exponent, zero or more
+ * @param reflection the share of the mirror ray's light that is added
+ * @param emission light that the surface gives by itself
+ */
+public record Material(
+    Rgb ambient, Rgb diffuse, Rgb specular, double shininess, Rgb reflection, Rgb emission) {
+
+  /** Plain white diffuse, what a surface without a material is made of. */
+  public static final Material WHITE =
+      new Material(Rgb.WHITE, Rgb.WHITE, Rgb.BLACK, 32, Rgb.BLACK, Rgb.BLACK);
+
+  /** Checks that every factor is finite and not negative. */
+  public Material {
+    ambient.requireLight("ambient");
+    diffuse.requireLight("diffuse");
+    specular.requireLight("specular");
+    reflection.requireLight("reflection");
+    emission.requireLight("emission");
+    Check.range("shininess", shininess, 0, 1e9);
+  }
+}

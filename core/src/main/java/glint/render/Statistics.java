@@ -1,0 +1,27 @@
+package glint.render;
+
+import glint.trace.RayCounts;
+
+/**
+ * What a finished render reports of itself; immutable but for the counts, which nobody changes.
+ *
+ * @param rays rays traced, by kind, and the bounces reached
+ * @param minSamples the fewest samples of a pixel
+ * @param meanSamples the samples of a pixel, on average
+ * @param maxSamples the most samples of a pixel
+ * @param primitives how many things a ray can hit
+ * @param invalid samples that were NaN or infinite; they are left out of their pixel's mean
+ * @param clipped pixels with a channel above display white
+ * @param renderSeconds wall time of tracing alone
+ * @param sha256 hash of the linear image: its doubles, big-endian, in row order, in hex
+ */
+public record Statistics(
+    RayCounts rays,
+    int minSamples,
+    double meanSamples,
+    int maxSamples,
+    int primitives,
+    long invalid,
+    long clipped,
+    double renderSeconds,
+    String sha256) {}

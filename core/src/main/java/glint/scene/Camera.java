@@ -1,0 +1,49 @@
+package glint.scene;
+
+import glint.math.BadValueException;
+import glint.math.Check;
+import glint.math.Rounding;
+import glint.math.Vector3d;
+
+/**
+ * Where the picture is taken from; immutable.
+ *
+ * @param position the eye
+ * @param lookAt the point in the middle of the picture
+ * @param up any direction that shall point up in the picture, but not along the view
+ * @param projection how directions become places in the picture
+ * @param near nothing nearer than this, measured along the view, is seen; 0 for no limit
+ * @param far nothing farther is seen; infinite for no limit
+ */
+public record Camera(
+    Vector3d position,
+    Vector3d lookAt,
+    Vector3d up,
+    Projection projection,
+    double near,
+    double far) {
+
+  /** Checks that eye, target and up span a picture and that 0 ≤ near &lt; far. */
+  public Camera {
+    Check.finite("position", position);
+    Check.finite("look_at", lookAt);
+    Check.direction("up", up);
+    if (position.equals(lookAt)) {
+      throw new BadValueException("look_at", "must differ from position: " + position);
+    }
+    Vector3d sideways = lookAt.minus(position).normalized().cross(up.normalized());
+    // Two parallel unit vectors, each rounded, have a cross product of a few roundings.
+    if (sideways.maxAbs() <= Rounding.gamma(8)) {
+      throw new BadValueException("up", "must not be parallel to the view direction");
+    }
+    if (!(near >= 0 && near < far)) {
+      throw new BadValueException(
+          "near", "must lie between 0 and far, but near is " + near + " and far is " + far);
+    }
+  }
+
+  /** Returns a camera without clipping. */
+  public static Camera of(Vector3d position, Vector3d lookAt, Vector3d up, Projection projection) {
+    return new Camera(position, lookAt, up, projection, 0, Double.POSITIVE_INFINITY);
+  }
+}

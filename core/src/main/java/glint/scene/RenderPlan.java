@@ -1,0 +1,103 @@
+package glint.scene;
+
+import glint.light.Illumination;
+import glint.optics.Highlight;
+import java.util.List;
+import java.util.OptionalInt;
+import java.util.function.Predicate;
+
+/**
+ * What a scene needs, and what is therefore left out; immutable.
+ *
+ * <p>These very decisions select the code that runs, and {@code glint plan} prints them.
+ */
+public record RenderPlan(
+    Decision directLight, Decision shadows, Decision highlights, Decision mirrors, Decision sky) {
+
+  /** Looks at a scene once and decides. */
+  static RenderPlan of(Scene scene, Illumination lights) {
+    return new RenderPlan(
+        directLight(scene, lights),
+        shadows(scene, lights),
+        highlights(scene, lights),
+        mirrors(scene),
+        sky(scene));
+  }
+
+  /** Returns a plan that uses everything, whether needed or not: the yardstick of the others. */
+  public static RenderPlan everything() {
+    String reason = "everything is switched on";
+    return new RenderPlan(
+        new Decision("direct light", true, reason),
+        new Decision("shadow rays", true, reason),
+        new Decision("highlights", true, reason),
+        new Decision("mirror rays", true, reason),
+        new Decision("sky gradient", true, reason));
+  }
+
+  /** Returns the decisions in the order in which a ray meets them. */
+  public List<Decision> decisions() {
+    return List.of(directLight, shadows, highlights, mirrors, sky);
+  }
+
+  private static Decision directLight(Scene scene, Illumination lights) {
+    String feature = "direct light";
+    if (lights.count() == 0) {
+      return new Decision(feature, false, "no light but ambient light");
+    }
+    int lit = count(scene, RenderPlan::answersLights);
+    if (lit == 0) {
+      return new Decision(feature, false, "no surface is diffuse or has a highlight");
+    }
+    return new Decision(
+        feature, true, lights.count() + " of its lights have a place or direction; surfaces lit: " + lit);
+  }
+
+  private static Decision shadows(Scene scene, Illumination lights) {
+    String feature = "shadow rays";
+    Decision light = directLight(scene, lights);
+    if (!light.used()) {
+      return new Decision(feature, false, light.reason());
+    }
+    return new Decision(
+        feature, true, "opaque surfaces only: any hit before the light ends the search");
+  }
+
+  private static Decision highlights(Scene scene, Illumination lights) {
+    String feature = "highlights";
+    Decision light = directLight(scene, lights);
+    int shiny = count(scene, p -> !p.material().specular().isBlack());
+    if (!light.used() || shiny == 0) {
+      String reason = light.used() ? "no material is specular" : light.reason();
+      return new Decision(feature, false, reason);
+    }
+    String model = scene.highlight() == Highlight.BLINN ? "Blinn n·h" : "Phong r·v";
+    return new Decision(feature, true, model + "; specular surfaces: " + shiny);
+  }
+
+  private static Decision mirrors(Scene scene) {
+    String feature = "mirror rays";
+    if (scene.maxDepth().equals(OptionalInt.of(0))) {
+      return new Decision(feature, false, "the scene allows no bounce");
+    }
+    int mirrors = count(scene, p -> !p.material().reflection().isBlack());
+    if (mirrors == 0) {
+      return new Decision(feature, false, "no material reflects");
+    }
+    return new Decision(feature, true, "reflecting surfaces: " + mirrors);
+  }
+
+  private static Decision sky(Scene scene) {
+    boolean constant = scene.background().isConstant();
+    return new Decision(
+        "sky gradient", !constant, "the background is " + (constant ? "one colour" : "a gradient"));
+  }
+
+  private static boolean answersLights(Placement p) {
+    return !p.material().diffuse().isBlack() || !p.material().specular().isBlack();
+  }
+
+  private static int count(Scene scene, Predicate<Placement> which) {
+    return (int) scene.placements().stream().filter(which).count();
+  }
+}

@@ -1,0 +1,53 @@
+package glint.scene;
+
+import glint.geometry.Ray;
+import glint.math.Vector3d;
+
+/** A camera in front of an image of a certain size: turns places in the image into rays. */
+public final class View {
+
+  private final Camera camera;
+  private final int width;
+  private final int height;
+  private final Vector3d forward;
+  private final Vector3d right;
+  private final Vector3d up;
+  private final double halfWidth;
+  private final double halfHeight;
+
+  /** Sets up the camera's frame for an image of {@code width × height} pixels. */
+  public View(Camera camera, int width, int height) {
+    this.camera = camera;
+    this.width = width;
+    this.height = height;
+    forward = camera.lookAt().minus(camera.position()).normalized();
+    right = forward.cross(camera.up().normalized()).normalized();
+    up = right.cross(forward);
+    halfWidth = camera.projection().halfWidth(width, height);
+    halfHeight = camera.projection().halfHeight(width, height);
+  }
+
+  /**
+   * Sets {@code ray} to the ray, of unit direction, through a place in the image.
+   *
+   * <p>Places are antisymmetric about the middle, bit for bit, so that a mirrored scene gives a
+   * mirrored image.
+   *
+   * @param x columns from the left edge, so that a pixel's centre is at its number plus one half
+   * @param y rows from the top edge
+   * @return the parameter at which the far clipping plane ends the ray
+   */
+  public double ray(double x, double y, Ray ray) {
+    double sx = (2 * x - width) / width * halfWidth;
+    double sy = (height - 2 * y) / height * halfHeight;
+    double dx = forward.x() + (sx * right.x() + sy * up.x());
+    double dy = forward.y() + (sx * right.y() + sy * up.y());
+    double dz = forward.z() + (sx * right.z() + sy * up.z());
+    double length = Math.sqrt(dx * dx + dy * dy + dz * dz);
+    Vector3d eye = camera.position();
+    ray.set(eye.x(), eye.y(), eye.z(), dx / length, dy / length, dz / length);
+    // The component along the view is 1, so a clipping distance is reached at t = length times it.
+    ray.tMin = camera.near() * length;
+    return camera.far() * length;
+  }
+}
