@@ -26,7 +26,9 @@ public final class LinearScan {
     }
   }
 
-  /** Returns whether anything is hit in {@code (ray.tMin, tMax]}; leaves some hit in the scratch. */
+  /**
+   * Returns whether anything is hit in {@code (ray.tMin, tMax]}; leaves some hit in the scratch.
+   */
   public boolean any(Ray ray, double tMax, Hit scratch, Ray local) {
     scratch.begin(tMax);
     for (int id = 0; id < primitives.count() && !scratch.found(); id++) {

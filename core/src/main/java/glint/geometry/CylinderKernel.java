@@ -7,9 +7,9 @@ import glint.math.Vector3d;
  *
  * <p>The side is |p⊥| = ρ(s), ρ(s) = radius + slope·s, with s along and p⊥ across the axis. As for
  * the sphere, the discriminant comes from l, the point of the ray nearest to the axis, seen across
- * it: D = a(ρ₀² - l²) + (slope·ds)²l² with ρ₀ = ρ at l, not from b² - ac. A capped one is convex: the
- * part of the ray inside is the part inside the side cut by the part between the caps, so no ray
- * slips through at a rim.
+ * it: D = a(ρ₀² - l²) + (slope·ds)²l² with ρ₀ = ρ at l, not from b² - ac. A capped one is convex:
+ * the part of the ray inside is the part inside the side cut by the part between the caps, so no
+ * ray slips through at a rim.
  */
 final class CylinderKernel {
 
@@ -22,7 +22,8 @@ final class CylinderKernel {
 
   private CylinderKernel() {}
 
-  static double[] pack(Vector3d base, Vector3d top, double radius, double topRadius, boolean capped) {
+  static double[] pack(
+      Vector3d base, Vector3d top, double radius, double topRadius, boolean capped) {
     Vector3d axis = top.minus(base);
     Vector3d a = axis.normalized();
     double height = axis.length();

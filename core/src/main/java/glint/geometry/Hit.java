@@ -4,9 +4,9 @@ package glint.geometry;
  * Where a ray meets a surface; scratch, owned by one worker.
  *
  * <p>The kernels write only {@link #t}, {@link #primitive} and two local numbers while they search;
- * {@link Primitives#resolve} fills in point, normal and surface once, for the hit that won. The only
- * way to start a secondary ray is from a hit, which moves the origin off the surface by a bound
- * derived from the rounding of the hit point, so that nobody needs a bias.
+ * {@link Primitives#resolve} fills in point, normal and surface once, for the hit that won. The
+ * only way to start a secondary ray is from a hit, which moves the origin off the surface by a
+ * bound derived from the rounding of the hit point, so that nobody needs a bias.
  */
 public final class Hit {
 
@@ -61,6 +61,13 @@ public final class Hit {
       u = newU;
       v = newV;
     }
+  }
+
+  /** Turns the normal to the other side. */
+  void reverse() {
+    nx = -nx;
+    ny = -ny;
+    nz = -nz;
   }
 
   /** Sets {@code ray} to leave this point in a direction of any length, on the side it leads to. */

@@ -30,9 +30,9 @@ final class PlaneKernel {
   /**
    * Projects the point onto the plane.
    *
-   * <p>With q the plane's point, the signed distance s = (p - q)·n is computed to within 4u|p - q|₁,
-   * here and again when a ray leaves, and storing p rounds by u|p|₁ twice: at most
-   * 10u(|p|₁ + |q|₁) = 5·2⁻⁵²(|p|₁ + |q|₁) in all, taken as 8·2⁻⁵².
+   * <p>With q the plane's point, the signed distance s = (p - q)·n is computed to within 4u|p -
+   * q|₁, here and again when a ray leaves, and storing p rounds by u|p|₁ twice: at most 10u(|p|₁ +
+   * |q|₁) = 5·2⁻⁵²(|p|₁ + |q|₁) in all, taken as 8·2⁻⁵².
    */
   static void resolve(double[] data, int at, Ray ray, Hit hit) {
     double nx = data[at + 3];

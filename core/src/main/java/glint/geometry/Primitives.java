@@ -4,6 +4,7 @@ import glint.math.Transform;
 import glint.math.Vector3d;
 import java.util.Arrays;
 import java.util.List;
+import java.util.stream.Collectors;
 
 /**
  * The surfaces of a scene in the form that rays touch: flat arrays of primitives in world space.
@@ -20,6 +21,9 @@ public final class Primitives {
   private static final byte PLANE = 2;
   private static final byte BOX = 3;
   private static final byte CYLINDER = 4;
+
+  /** A triangle whose outside is where its corners run clockwise. */
+  private static final byte REVERSED_TRIANGLE = 5;
 
   /** Added to a kind: the data begins with two matrices (see TransformedKernel). */
   private static final byte TRANSFORMED = 8;
@@ -60,7 +64,7 @@ public final class Primitives {
   private void intersect(int k, int at, Ray ray, Hit hit, int id) {
     switch (k) {
       case SPHERE -> SphereKernel.intersect(data, at, ray, hit, id);
-      case TRIANGLE -> TriangleKernel.intersect(data, at, ray, hit, id);
+      case TRIANGLE, REVERSED_TRIANGLE -> TriangleKernel.intersect(data, at, ray, hit, id);
       case PLANE -> PlaneKernel.intersect(data, at, ray, hit, id);
       case BOX -> BoxKernel.intersect(data, at, ray, hit, id);
       default -> CylinderKernel.intersect(data, at, ray, hit, id);
@@ -86,6 +90,10 @@ public final class Primitives {
     switch (k) {
       case SPHERE -> SphereKernel.resolve(data, at, ray, hit);
       case TRIANGLE -> TriangleKernel.resolve(data, at, hit);
+      case REVERSED_TRIANGLE -> {
+        TriangleKernel.resolve(data, at, hit);
+        hit.reverse();
+      }
       case PLANE -> PlaneKernel.resolve(data, at, ray, hit);
       case BOX -> BoxKernel.resolve(data, at, ray, hit);
       default -> CylinderKernel.resolve(data, at, ray, hit);
@@ -107,22 +115,18 @@ public final class Primitives {
       if (shape instanceof Sphere s) {
         addSphere(s, toWorld, number);
       } else if (shape instanceof Triangle t) {
-        addPolygon(List.of(t.a(), t.b(), t.c()), toWorld, number);
+        addFlat(List.of(t.a(), t.b(), t.c()), toWorld, number);
       } else if (shape instanceof Plane p) {
         Vector3d normal = toWorld.normal(p.normal());
         put(PLANE, PlaneKernel.pack(toWorld.point(p.point()), normal), number);
       } else if (shape instanceof Quad q) {
         Vector3d b = q.corner().plus(q.edge1());
         Vector3d d = q.corner().plus(q.edge2());
-        addPolygon(List.of(q.corner(), b, b.plus(q.edge2()), d), toWorld, number);
+        addFlat(List.of(q.corner(), b, b.plus(q.edge2()), d), toWorld, number);
       } else if (shape instanceof Box b) {
         addBox(b, toWorld, number);
       } else if (shape instanceof Pyramid p) {
-        addPolygon(p.base(), toWorld, number);
-        for (int i = 0; i < 4; i++) {
-          addPolygon(
-              List.of(p.apex(), p.base().get(i), p.base().get((i + 1) % 4)), toWorld, number);
-        }
+        addPyramid(p, toWorld, number);
       } else if (shape instanceof Cylinder c) {
         addCylinder(c, toWorld, number);
       }
@@ -166,14 +170,29 @@ public final class Primitives {
       }
     }
 
-    /** Fans a convex polygon into triangles around its first corner. */
-    private void addPolygon(List<Vector3d> corners, Transform toWorld, int number) {
-      Vector3d a = toWorld.point(corners.get(0));
-      Vector3d b = toWorld.point(corners.get(1));
+    private void addFlat(List<Vector3d> corners, Transform toWorld, int number) {
+      addPolygon(
+          corners.stream().map(toWorld::point).collect(Collectors.toList()), TRIANGLE, number);
+    }
+
+    /** Adds base and sides, reversed where their winding makes a normal point into the solid. */
+    private void addPyramid(Pyramid p, Transform toWorld, int number) {
+      Vector3d apex = toWorld.point(p.apex());
+      List<Vector3d> base = p.base().stream().map(toWorld::point).collect(Collectors.toList());
+      Vector3d normal = base.get(1).minus(base.get(0)).cross(base.get(2).minus(base.get(0)));
+      boolean inward = normal.dot(apex.minus(base.get(0))) > 0;
+      addPolygon(base, inward ? REVERSED_TRIANGLE : TRIANGLE, number);
+      for (int i = 0; i < 4; i++) {
+        List<Vector3d> side = List.of(apex, base.get((i + 1) % 4), base.get(i));
+        addPolygon(side, inward ? REVERSED_TRIANGLE : TRIANGLE, number);
+      }
+    }
+
+    /** Fans a convex polygon in world space into triangles around its first corner. */
+    private void addPolygon(List<Vector3d> corners, byte k, int number) {
       for (int i = 2; i < corners.size(); i++) {
-        Vector3d c = toWorld.point(corners.get(i));
-        put(TRIANGLE, TriangleKernel.pack(a, b, c), number);
-        b = c;
+        double[] three = TriangleKernel.pack(corners.get(0), corners.get(i - 1), corners.get(i));
+        put(k, three, number);
       }
     }
 

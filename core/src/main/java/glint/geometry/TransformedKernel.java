@@ -7,8 +7,8 @@ import glint.math.Vector3d;
 /**
  * The ray and the hit of a surface that cannot be carried into the world, such as an ellipsoid.
  *
- * <p>The ray moves into object space instead; t is the same in both. Data: the twelve numbers of the
- * world-to-object matrix, then the twelve of object-to-world; the surface's own follow.
+ * <p>The ray moves into object space instead; t is the same in both. Data: the twelve numbers of
+ * the world-to-object matrix, then the twelve of object-to-world; the surface's own follow.
  */
 final class TransformedKernel {
 

@@ -6,10 +6,10 @@ import glint.math.Vector3d;
 /**
  * Ray against triangle: three corners.
  *
- * <p>Source: Woop, Benthin, Wald, Watertight Ray/Triangle Intersection, JCGT 2(1), 2013. A corner is
- * sheared by itself, without regard to its triangle, and an edge function changes only its sign when
- * the edge is walked the other way; so two triangles that share an edge agree on which side of it a
- * ray passes, and no ray slips between them.
+ * <p>Source: Woop, Benthin, Wald, Watertight Ray/Triangle Intersection, JCGT 2(1), 2013. A corner
+ * is sheared by itself, without regard to its triangle, and an edge function changes only its sign
+ * when the edge is walked the other way; so two triangles that share an edge agree on which side of
+ * it a ray passes, and no ray slips between them.
  */
 final class TriangleKernel {
 
@@ -64,8 +64,7 @@ final class TriangleKernel {
     double deltaE = 2 * (GAMMA2 * maxX * maxY + deltaY * maxX + deltaX * maxY);
     double maxE = max(u, v, w);
     double deltaZ = GAMMA3 * maxZ;
-    double deltaT =
-        3 * (GAMMA3 * maxE * maxZ + deltaE * maxZ + deltaZ * maxE) / Math.abs(det);
+    double deltaT = 3 * (GAMMA3 * maxE * maxZ + deltaE * maxZ + deltaZ * maxE) / Math.abs(det);
     if (t > deltaT) {
       hit.offer(ray, t, id, u / det, v / det);
     }

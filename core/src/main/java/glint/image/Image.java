@@ -19,7 +19,7 @@ public final class Image {
    * @throws IllegalArgumentException if a side is below 1 or the pixels do not fit an array
    */
   public Image(int width, int height) {
-    if (width < 1 || height < 1 || 3L * width * height > Integer.MAX_VALUE - 8) {
+    if (width < 1 || height < 1 || (long) width * height > (Integer.MAX_VALUE - 8) / 3) {
       throw new IllegalArgumentException("cannot hold an image of " + width + "x" + height);
     }
     this.width = width;

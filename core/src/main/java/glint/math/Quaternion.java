@@ -21,7 +21,14 @@ public record Quaternion(double w, double x, double y, double z) {
         Double.isFinite(w) && Double.isFinite(x) && Double.isFinite(y) && Double.isFinite(z);
     if (!(largest > 0 && finite)) {
       throw new ArithmeticException(
-          "a quaternion must be finite and not zero, but is [" + w + ", " + x + ", " + y + ", " + z
+          "a quaternion must be finite and not zero, but is ["
+              + w
+              + ", "
+              + x
+              + ", "
+              + y
+              + ", "
+              + z
               + "]");
     }
     int exponent = Math.getExponent(largest);

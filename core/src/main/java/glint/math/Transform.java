@@ -45,9 +45,18 @@ public final class Transform {
     double y = q.y();
     double z = q.z();
     double[] m = {
-      1 - 2 * (y * y + z * z), 2 * (x * y - w * z), 2 * (x * z + w * y), 0,
-      2 * (x * y + w * z), 1 - 2 * (x * x + z * z), 2 * (y * z - w * x), 0,
-      2 * (x * z - w * y), 2 * (y * z + w * x), 1 - 2 * (x * x + y * y), 0
+      1 - 2 * (y * y + z * z),
+      2 * (x * y - w * z),
+      2 * (x * z + w * y),
+      0,
+      2 * (x * y + w * z),
+      1 - 2 * (x * x + z * z),
+      2 * (y * z - w * x),
+      0,
+      2 * (x * z - w * y),
+      2 * (y * z + w * x),
+      1 - 2 * (x * x + y * y),
+      0
     };
     double[] transposed = {
       m[0], m[4], m[8], 0,
@@ -172,9 +181,7 @@ public final class Transform {
   private static Transform diagonal(double x, double y, double z, Vector3d t) {
     return new Transform(
         new double[] {x, 0, 0, t.x(), 0, y, 0, t.y(), 0, 0, z, t.z()},
-        new double[] {
-          1 / x, 0, 0, -t.x() / x, 0, 1 / y, 0, -t.y() / y, 0, 0, 1 / z, -t.z() / z
-        });
+        new double[] {1 / x, 0, 0, -t.x() / x, 0, 1 / y, 0, -t.y() / y, 0, 0, 1 / z, -t.z() / z});
   }
 
   private static void requireInvertible(double factor) {

@@ -3,8 +3,8 @@ package glint.math;
 /**
  * A point or direction in three-dimensional space; immutable.
  *
- * <p>Right-handed world, lengths in scene units. All arithmetic is plain IEEE double: {@code + - * /}
- * and {@code sqrt} only, so every platform gives the same bits.
+ * <p>Right-handed world, lengths in scene units. All arithmetic is plain IEEE double: {@code + - *
+ * /} and {@code sqrt} only, so every platform gives the same bits.
  */
 public record Vector3d(double x, double y, double z) {
 
@@ -54,8 +54,8 @@ public record Vector3d(double x, double y, double z) {
   /**
    * Returns the unit vector of this direction.
    *
-   * <p>Scales by a power of two first, so that neither huge nor tiny vectors overflow or vanish, and
-   * so that {@code v} and {@code v * 2^k} have bit-identical unit vectors.
+   * <p>Scales by a power of two first, so that neither huge nor tiny vectors overflow or vanish,
+   * and so that {@code v} and {@code v * 2^k} have bit-identical unit vectors.
    *
    * @throws ArithmeticException if the vector is zero or not finite
    */
@@ -66,8 +66,7 @@ public record Vector3d(double x, double y, double z) {
     }
     int exponent = Math.getExponent(largest);
     Vector3d scaled =
-        new Vector3d(
-            Math.scalb(x, -exponent), Math.scalb(y, -exponent), Math.scalb(z, -exponent));
+        new Vector3d(Math.scalb(x, -exponent), Math.scalb(y, -exponent), Math.scalb(z, -exponent));
     double length = scaled.length();
     return new Vector3d(scaled.x / length, scaled.y / length, scaled.z / length);
   }

@@ -33,7 +33,6 @@ final class ImageFacts {
     int row = 3 * image.width();
     ByteBuffer bytes = ByteBuffer.allocate(8 * row);
     for (int y = 0; y < image.height(); y++) {
-      bytes.clear();
       bytes.asDoubleBuffer().put(image.rgb(), y * row, row);
       digest.update(bytes.array());
     }

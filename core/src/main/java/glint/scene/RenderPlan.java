@@ -50,7 +50,9 @@ public record RenderPlan(
       return new Decision(feature, false, "no surface is diffuse or has a highlight");
     }
     return new Decision(
-        feature, true, lights.count() + " of its lights have a place or direction; surfaces lit: " + lit);
+        feature,
+        true,
+        lights.count() + " of its lights have a place or direction; surfaces lit: " + lit);
   }
 
   private static Decision shadows(Scene scene, Illumination lights) {

@@ -78,7 +78,8 @@ public record Scene(
     }
     if ((long) width * height > MAX_PIXELS) {
       throw new BadValueException(
-          "width", "times height must be at most " + MAX_PIXELS + " pixels: " + width + "x" + height);
+          "width",
+          "times height must be at most " + MAX_PIXELS + " pixels: " + width + "x" + height);
     }
   }
 
@@ -167,8 +168,17 @@ public record Scene(
         throw new BadValueException("camera", "is missing");
       }
       return new Scene(
-          name, title.isEmpty() ? name : title, width, height, camera, background, lights,
-          placements, highlight, transfer, maxDepth);
+          name,
+          title.isEmpty() ? name : title,
+          width,
+          height,
+          camera,
+          background,
+          lights,
+          placements,
+          highlight,
+          transfer,
+          maxDepth);
     }
   }
 }
