@@ -38,7 +38,7 @@ class ImageTest {
   }
 
   @ParameterizedTest
-  @CsvSource({"0, 1", "1, 0", "-1, 5", "100000, 100000"})
+  @CsvSource({"0, 1", "1, 0", "-1, 5", "100000, 100000", "2147483647, 2147483647"})
   void refusesSizesThatNoArrayHolds(int width, int height) {
     Exception e = assertThrows(IllegalArgumentException.class, () -> new Image(width, height));
     assertEquals("cannot hold an image of " + width + "x" + height, e.getMessage());

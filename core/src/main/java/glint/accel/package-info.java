@@ -1,0 +1,2 @@
+/** Finding the closest hit, or any hit, among all primitives of a scene. */
+package glint.accel;

@@ -1,0 +1,2 @@
+/** Linear colour, and the curves from linear light to display codes. */
+package glint.color;

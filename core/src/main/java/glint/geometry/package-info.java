@@ -1,0 +1,2 @@
+/** Surfaces as people write them, and the kernels that rays meet them with. */
+package glint.geometry;

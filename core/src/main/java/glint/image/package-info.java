@@ -1,0 +1,2 @@
+/** Pictures in linear light, and how far one is from another. */
+package glint.image;

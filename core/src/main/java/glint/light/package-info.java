@@ -1,0 +1,2 @@
+/** Sources of light. */
+package glint.light;

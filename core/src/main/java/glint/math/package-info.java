@@ -1,0 +1,2 @@
+/** Vectors, quaternions and affine maps: immutable values, and bounds on their rounding. */
+package glint.math;

@@ -1,0 +1,2 @@
+/** How materials answer light. */
+package glint.optics;

@@ -1,0 +1,2 @@
+/** Tiles in parallel: from a prepared scene to an image and its statistics. */
+package glint.render;
