@@ -1,0 +1,60 @@
+package glint.io;
+
+import glint.io.YamlNode.Mapping;
+import glint.math.Vector3d;
+import glint.scene.Background;
+import glint.scene.Camera;
+import glint.scene.Projection;
+
+/** Reads cameras and what they see where nothing is. */
+final class CameraReader {
+
+  private final Values values;
+
+  CameraReader(Values values) {
+    this.values = values;
+  }
+
+  Camera camera(YamlNode node) {
+    Fields f = new Fields(node, Section.CAMERA, values);
+    Vector3d position = f.vector("position");
+    Vector3d lookAt = f.vector("look_at");
+    Vector3d up = f.has("up") ? f.vector("up") : new Vector3d(0, 1, 0);
+    Projection projection = projection(f.need("fov"));
+    double near = f.number("near", 0);
+    double far = f.number("far", Double.POSITIVE_INFINITY);
+    return f.build(() -> new Camera(position, lookAt, up, projection, near, far));
+  }
+
+  private Projection projection(YamlNode node) {
+    if (node == null) {
+      return null;
+    }
+    if (!(node instanceof Mapping)) {
+      long before = values.problems().reports();
+      double degrees = values.number(node);
+      return values.problems().reports() == before
+          ? values.checked(node, () -> Projection.vertical(degrees))
+          : null;
+    }
+    Fields f = new Fields(node, Section.FOV, values);
+    if (f.isSound() && f.has("vertical") == f.has("horizontal")) {
+      values.report(node, "an angle of view is either 'vertical' or 'horizontal'");
+    }
+    boolean horizontal = f.has("horizontal");
+    String key = horizontal ? "horizontal" : "vertical";
+    double degrees = f.number(key, 1);
+    YamlNode number = f.has(key) ? f.get(key) : node;
+    return f.isSound()
+        ? values.checked(number, () -> new Projection(degrees, horizontal, 0))
+        : null;
+  }
+
+  Background background(YamlNode node) {
+    if (!(node instanceof Mapping)) {
+      return Background.constant(values.light("background", node));
+    }
+    Fields f = new Fields(node, Section.BACKGROUND, values);
+    return new Background(f.light("down"), f.light("up"));
+  }
+}

@@ -1,0 +1,117 @@
+package glint.io;
+
+import glint.color.Rgb;
+import glint.io.YamlNode.Entry;
+import glint.io.YamlNode.Mapping;
+import glint.io.YamlNode.Scalar;
+import glint.optics.Material;
+import java.util.ArrayList;
+import java.util.HashMap;
+import java.util.List;
+import java.util.Map;
+
+/** The materials that a file or a scene defines by name, read once each. */
+final class MaterialReader {
+
+  private static final String DEFAULT = "default";
+
+  private final Values values;
+  private final MaterialReader outer;
+
+  /** By name; null where the definition has a problem. */
+  private final Map<String, Material> named = new HashMap<>();
+
+  /**
+   * Reads all definitions.
+   *
+   * @param outer the materials of the file, for those of a scene; else null
+   * @param definitions the map of them, or null if there is none
+   */
+  MaterialReader(YamlNode definitions, MaterialReader outer, Values values) {
+    this.values = values;
+    this.outer = outer;
+    if (definitions == null) {
+      return;
+    }
+    if (!(definitions instanceof Mapping map)) {
+      values.wrong(definitions, "a map from names to materials");
+      return;
+    }
+    Keyed keyed = Keyed.of(map, values);
+    for (Map.Entry<String, Entry> each : keyed.first().entrySet()) {
+      Material material = read(each.getValue().value());
+      named.put(each.getKey(), keyed.repeated().contains(each.getKey()) ? null : material);
+    }
+  }
+
+  /** Returns the material of a surface, or null with problems reported. */
+  Material of(Fields surface) {
+    YamlNode node = surface.get("material");
+    if (node == null) {
+      MaterialReader definer = definer(DEFAULT);
+      return definer == null ? Material.WHITE : definer.recall(DEFAULT);
+    }
+    if (node instanceof Mapping) {
+      return read(node);
+    }
+    if (!(node instanceof Scalar scalar && scalar.isText())) {
+      values.wrong(node, "a material's name or " + Section.MATERIAL.form());
+      return null;
+    }
+    MaterialReader definer = definer(scalar.text());
+    if (definer == null) {
+      values.report(
+          node,
+          "material "
+              + SourceText.quote(scalar.text())
+              + " is not defined in this scene or file"
+              + Suggestion.hintOrList(scalar.text(), names()));
+      return null;
+    }
+    return definer.recall(scalar.text());
+  }
+
+  private MaterialReader definer(String name) {
+    if (named.containsKey(name)) {
+      return this;
+    }
+    return outer == null ? null : outer.definer(name);
+  }
+
+  /** Returns a material; one with a problem makes the scene that uses it unsound, too. */
+  private Material recall(String name) {
+    Material material = named.get(name);
+    if (material == null) {
+      values.problems().repeat();
+    }
+    return material;
+  }
+
+  private List<String> names() {
+    List<String> names = outer == null ? new ArrayList<>() : outer.names();
+    names.addAll(named.keySet());
+    names.sort(null);
+    return names;
+  }
+
+  private Material read(YamlNode node) {
+    Fields f = new Fields(node, Section.MATERIAL, values);
+    boolean otherwiseLit = f.has("reflection") || f.has("emission");
+    Rgb color = f.light("color", Rgb.WHITE);
+    Rgb diffuse = f.light("diffuse", otherwiseLit ? Rgb.BLACK : Rgb.WHITE);
+    Rgb ambient = f.light("ambient", diffuse);
+    Rgb specular = f.light("specular", Rgb.BLACK);
+    double shininess = f.number("shininess", 32);
+    Rgb reflection = f.light("reflection", Rgb.BLACK);
+    Rgb emission = f.light("emission", Rgb.BLACK);
+    return f.build(
+        () ->
+            new Material(
+                color.times(ambient),
+                color.times(diffuse),
+                specular,
+                shininess,
+                reflection,
+                emission));
+  }
+}

@@ -1,0 +1,50 @@
+package glint.io;
+
+import java.util.ArrayList;
+import java.util.Comparator;
+import java.util.LinkedHashSet;
+import java.util.List;
+import java.util.Set;
+
+/** Collects the problems of one file; the same problem at the same place counts as one. */
+final class Problems {
+
+  /** How many problems are told; beyond, only their number is. */
+  static final int MOST = 100;
+
+  private final String file;
+  private final Set<Problem> problems = new LinkedHashSet<>();
+  private long reports;
+
+  Problems(String file) {
+    this.file = file;
+  }
+
+  void report(Place place, String message) {
+    problems.add(new Problem(file, place.line(), place.column(), message));
+    reports++;
+  }
+
+  /** Counts a problem that was reported before and now concerns something else as well. */
+  void repeat() {
+    reports++;
+  }
+
+  /** Returns a number that grows with every report: whoever sees it unchanged read well. */
+  long reports() {
+    return reports;
+  }
+
+  /** Returns the problems in file order, at most {@link #MOST} of them and a closing line. */
+  List<Problem> inFileOrder() {
+    List<Problem> sorted = new ArrayList<>(problems);
+    sorted.sort(Comparator.comparingInt(Problem::line).thenComparingInt(Problem::column));
+    if (sorted.size() <= MOST) {
+      return sorted;
+    }
+    List<Problem> first = new ArrayList<>(sorted.subList(0, MOST));
+    int more = sorted.size() - MOST;
+    first.add(new Problem(file, 0, 0, "and " + more + " more problems, not shown"));
+    return first;
+  }
+}

@@ -1,0 +1,62 @@
+package glint.io;
+
+import glint.io.YamlNode.Entry;
+import glint.io.YamlNode.Mapping;
+import glint.io.YamlNode.Sequence;
+import glint.scene.Scene;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Map;
+
+/** Reads YAML scene files: any number of scenes and what they share (docs/scene-format.md). */
+final class SceneFileReader {
+
+  private final Problems problems;
+  private final Values values;
+
+  SceneFileReader(Problems problems) {
+    this.problems = problems;
+    values = new Values(problems);
+  }
+
+  SceneFile read(String text) {
+    List<Scene> scenes = new ArrayList<>();
+    YamlNode root = YamlComposer.compose(text, problems);
+    if (root != null) {
+      readFile(root, scenes);
+    }
+    return new SceneFile(scenes, problems.inFileOrder(), List.of());
+  }
+
+  private void readFile(YamlNode root, List<Scene> scenes) {
+    Fields file = new Fields(root, Section.FILE, values);
+    MaterialReader materials = new MaterialReader(file.get("materials"), null, values);
+    Fields defaults =
+        file.has("defaults") ? new Fields(file.get("defaults"), Section.DEFAULTS, values) : null;
+    SceneReader reader = new SceneReader(defaults, materials, values);
+    if (defaults != null) {
+      reader.checkDefaults();
+    }
+    YamlNode node = file.need("scenes");
+    if (node == null) {
+      return;
+    }
+    if (!(node instanceof Mapping map) || map.entries().isEmpty()) {
+      values.wrong(node, "a map from names to scenes");
+      return;
+    }
+    boolean lit = defaults != null && defaults.get("lights") instanceof Sequence;
+    long defaultLights = lit ? ((Sequence) defaults.get("lights")).items().size() : 0;
+    if (defaultLights * map.entries().size() > YamlComposer.MOST_NODES) {
+      values.report(node, "too large: so many scenes cannot share so many default lights");
+      return;
+    }
+    Keyed keyed = Keyed.of(map, values);
+    for (Map.Entry<String, Entry> each : keyed.first().entrySet()) {
+      Scene scene = reader.read(each.getKey(), each.getValue());
+      if (scene != null && !keyed.repeated().contains(each.getKey())) {
+        scenes.add(scene);
+      }
+    }
+  }
+}

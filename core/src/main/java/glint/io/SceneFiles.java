@@ -1,0 +1,49 @@
+package glint.io;
+
+import java.io.IOException;
+import java.io.InputStream;
+import java.util.List;
+import java.util.Locale;
+
+/** Reads scene files of every format that Glint knows; the door of this package. */
+public final class SceneFiles {
+
+  private SceneFiles() {}
+
+  /**
+   * Reads the scenes of one file: YAML (docs/scene-format.md) if its name ends in .yaml or .yml,
+   * the CS 315 format if it ends in .txt.
+   *
+   * <p>Whatever is wrong with the content becomes a problem and never an exception; scenes without
+   * a problem are read all the same.
+   *
+   * @param in the bytes; left open
+   * @param fileName the file's name or path, which also begins every message
+   * @throws IOException if the stream fails
+   */
+  public static SceneFile read(InputStream in, String fileName) throws IOException {
+    Problems problems = new Problems(fileName);
+    String name = fileName.toLowerCase(Locale.ROOT);
+    boolean yaml = name.endsWith(".yaml") || name.endsWith(".yml");
+    if (!yaml && !name.endsWith(".txt")) {
+      problems.report(
+          Place.NONE,
+          name.endsWith(".obj")
+              ? "this version of Glint cannot read OBJ models yet"
+              : "unknown kind of file: scene files end in .yaml or .yml, or in .txt if they are in"
+                  + " the CS 315 format");
+      return nothing(problems);
+    }
+    String text = SourceText.read(in, problems);
+    if (text == null) {
+      return nothing(problems);
+    }
+    return yaml
+        ? new SceneFileReader(problems).read(text)
+        : new Cs315Reader(fileName, problems).read(text);
+  }
+
+  private static SceneFile nothing(Problems problems) {
+    return new SceneFile(List.of(), problems.inFileOrder(), List.of());
+  }
+}

@@ -1,0 +1,117 @@
+package glint.io;
+
+import glint.color.Transfer;
+import glint.io.YamlNode.Entry;
+import glint.light.Light;
+import glint.optics.Highlight;
+import glint.scene.Placement;
+import glint.scene.Scene;
+import java.util.Locale;
+
+/** Reads one scene of a YAML file, with the file's defaults for what it does not set. */
+final class SceneReader {
+
+  private final Values values;
+  private final Fields defaults;
+  private final MaterialReader materials;
+
+  SceneReader(Fields defaults, MaterialReader materials, Values values) {
+    this.values = values;
+    this.defaults = defaults;
+    this.materials = materials;
+  }
+
+  /** Returns the scene, or null with its problems reported. */
+  Scene read(String name, Entry entry) {
+    Fields f = new Fields(entry.value(), Section.SCENE, values);
+    values.checked(
+        entry.key(),
+        () -> {
+          Scene.checkName(name);
+          return name;
+        });
+    Scene.Builder scene = new Scene.Builder(name);
+    if (f.has("title")) {
+      scene.title(title(f.get("title")));
+    }
+    readSettings(f, scene);
+    if (ownOrDefault(f, "camera") == null) {
+      f.need("camera");
+    }
+    scene.highlight(Highlight.valueOf(upper(f.word("highlights", "blinn", "phong"))));
+    scene.transfer(Transfer.valueOf(upper(f.word("transfer", "srgb", "linear"))));
+    MaterialReader own = new MaterialReader(f.get("materials"), materials, values);
+    SurfaceReader surfaces = new SurfaceReader(own, values);
+    if (f.has("surfaces")) {
+      for (YamlNode item : values.list(f.get("surfaces"), "surfaces")) {
+        Placement placement = surfaces.read(item);
+        if (placement != null) {
+          scene.place(placement);
+        }
+      }
+    }
+    return f.build(scene::build);
+  }
+
+  /** Reads what a scene may leave to the defaults. */
+  private void readSettings(Fields f, Scene.Builder scene) {
+    CameraReader cameras = new CameraReader(values);
+    YamlNode image = ownOrDefault(f, "image");
+    if (image != null) {
+      readImage(image, scene);
+    }
+    YamlNode camera = ownOrDefault(f, "camera");
+    if (camera != null) {
+      scene.camera(cameras.camera(camera));
+    }
+    YamlNode background = ownOrDefault(f, "background");
+    if (background != null) {
+      scene.background(cameras.background(background));
+    }
+    YamlNode lights = ownOrDefault(f, "lights");
+    if (lights != null) {
+      LightReader reader = new LightReader(values);
+      for (YamlNode item : values.list(lights, "lights")) {
+        Light light = reader.read(item);
+        if (light != null) {
+          scene.light(light);
+        }
+      }
+    }
+  }
+
+  /** Reads the defaults as a scene would, so that they are checked even if none uses them. */
+  void checkDefaults() {
+    readSettings(defaults, new Scene.Builder("defaults"));
+  }
+
+  private YamlNode ownOrDefault(Fields f, String key) {
+    return f.has(key) || defaults == null ? f.get(key) : defaults.get(key);
+  }
+
+  private void readImage(YamlNode node, Scene.Builder scene) {
+    Fields f = new Fields(node, Section.IMAGE, values);
+    int width = values.wholeNumber(f.need("width"));
+    int height = values.wholeNumber(f.need("height"));
+    f.build(
+        () -> {
+          Scene.checkSize(width, height);
+          return scene.size(width, height);
+        });
+  }
+
+  private String title(YamlNode node) {
+    String title = values.text(node);
+    for (int i = 0; i < title.length(); i++) {
+      if (Character.isISOControl(title.charAt(i))) {
+        values.report(node, "a title is one line of text");
+        return "";
+      }
+    }
+    return title;
+  }
+
+  private static String upper(String word) {
+    return word.toUpperCase(Locale.ROOT);
+  }
+}

@@ -1,0 +1,117 @@
+package glint.io;
+
+import glint.io.YamlNode.Entry;
+import glint.io.YamlNode.Mapping;
+import glint.io.YamlNode.Scalar;
+import glint.math.Check;
+import glint.math.Quaternion;
+import glint.math.Transform;
+import glint.math.Vector3d;
+import java.util.List;
+
+/** Reads where a surface stands: scale, rotate, translate in this order, or a list in its own. */
+final class TransformReader {
+
+  private static final List<String> ORDER = List.of("scale", "rotate", "translate");
+
+  private final Values values;
+
+  TransformReader(Values values) {
+    this.values = values;
+  }
+
+  /** Returns the product of a surface's transforms; with problems reported, of what is sound. */
+  Transform read(Fields f) {
+    Transform product = Transform.IDENTITY;
+    for (String name : ORDER) {
+      if (f.has(name)) {
+        product = append(product, name, f.get(name));
+      }
+    }
+    if (!f.has("transform")) {
+      return product;
+    }
+    YamlNode list = f.get("transform");
+    if (ORDER.stream().anyMatch(f::has)) {
+      values.report(list, "give either 'transform' or 'scale', 'rotate' and 'translate'");
+    }
+    for (YamlNode item : values.list(list, "transforms")) {
+      Entry step = Fields.kind(item, Section.STEP, values);
+      if (step != null) {
+        product = append(product, ((Scalar) step.key()).text(), step.value());
+      }
+    }
+    return product;
+  }
+
+  private Transform append(Transform product, String name, YamlNode node) {
+    long before = values.problems().reports();
+    Transform step =
+        switch (name) {
+          case "scale" -> scale(node);
+          case "rotate" -> rotate(node);
+          default -> translate(node);
+        };
+    if (values.problems().reports() != before) {
+      return product;
+    }
+    Transform next = product.then(step);
+    if (!isUsable(next)) {
+      values.report(node, "the transforms up to this one leave the range of numbers");
+      return product;
+    }
+    return next;
+  }
+
+  private Transform scale(YamlNode node) {
+    boolean one = node instanceof Scalar;
+    double factor = one ? values.number(node) : 0;
+    Vector3d factors = one ? new Vector3d(factor, factor, factor) : values.vector(node);
+    return values.checked(
+        node,
+        () -> {
+          Check.finite("scale", factors);
+          return Transform.scale(factors);
+        });
+  }
+
+  private Transform rotate(YamlNode node) {
+    if (!(node instanceof Mapping)) {
+      List<Double> q = values.numbers(node, 4, "[w, x, y, z] or {axis, degrees}");
+      return values.checked(
+          node, () -> Transform.rotate(new Quaternion(q.get(0), q.get(1), q.get(2), q.get(3))));
+    }
+    Fields f = new Fields(node, Section.ROTATION, values);
+    Vector3d axis = f.vector("axis");
+    double degrees = f.number("degrees");
+    return f.build(
+        () -> {
+          Check.direction("axis", axis);
+          return Transform.rotate(Quaternion.aboutAxis(axis, degrees));
+        });
+  }
+
+  private Transform translate(YamlNode node) {
+    Vector3d offset = values.vector(node);
+    return values.checked(
+        node,
+        () -> {
+          Check.finite("translate", offset);
+          return Transform.translate(offset);
+        });
+  }
+
+  /** Returns whether a transform and its inverse kept finite numbers when they were multiplied. */
+  static boolean isUsable(Transform transform) {
+    return isFinite(transform.rows()) && isFinite(transform.inverted().rows());
+  }
+
+  private static boolean isFinite(double[] rows) {
+    for (double v : rows) {
+      if (!Double.isFinite(v)) {
+        return false;
+      }
+    }
+    return true;
+  }
+}
