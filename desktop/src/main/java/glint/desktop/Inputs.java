@@ -1,0 +1,83 @@
+package glint.desktop;
+
+import glint.io.SceneFile;
+import glint.io.SceneFiles;
+import java.io.IOException;
+import java.io.InputStream;
+import java.io.PrintWriter;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.nio.file.attribute.FileTime;
+import java.security.DigestInputStream;
+import java.security.MessageDigest;
+import java.util.ArrayList;
+import java.util.List;
+
+/** Reads scene files from disk. */
+final class Inputs {
+
+  private final List<Job> jobs = new ArrayList<>();
+  private final List<Failed> problems = new ArrayList<>();
+  private final List<String> notes = new ArrayList<>();
+
+  private Inputs() {}
+
+  /**
+   * Reads files, the good scenes of each and what is wrong with the others; {@code err} is for
+   * traces.
+   */
+  static Inputs read(List<Path> files, PrintWriter err) {
+    Inputs inputs = new Inputs();
+    for (Path file : files) {
+      try {
+        inputs.read(file);
+      } catch (IOException e) {
+        inputs.fail(file, Reasons.of(file, e));
+      } catch (RuntimeException | OutOfMemoryError | StackOverflowError e) {
+        inputs.fail(file, file + ": " + Reasons.of(e));
+        Reasons.trace(e, err);
+      }
+    }
+    return inputs;
+  }
+
+  /** Returns the scenes that were read, in order. */
+  List<Job> jobs() {
+    return jobs;
+  }
+
+  /** Returns what is wrong, each by its file and with a whole line. */
+  List<Failed> problems() {
+    return problems;
+  }
+
+  /** Returns what was assumed or left unused, a line each, beginning with the file's name. */
+  List<String> notes() {
+    return notes;
+  }
+
+  private void fail(Path file, String line) {
+    problems.add(new Failed(file.toString(), line));
+  }
+
+  private void read(Path file) throws IOException {
+    if (Files.isDirectory(file)) {
+      throw new IOException("is a folder, not a scene file");
+    }
+    long began = System.nanoTime();
+    FileTime modified = Files.getLastModifiedTime(file);
+    MessageDigest digest = Digests.begin();
+    SceneFile content;
+    try (InputStream in = new DigestInputStream(Files.newInputStream(file), digest)) {
+      content = SceneFiles.read(in, file.toString());
+    }
+    content.problems().forEach(problem -> fail(file, problem.toString()));
+    content.notes().forEach(note -> notes.add(note.toString()));
+    if (content.scenes().isEmpty() && content.problems().isEmpty()) {
+      fail(file, file + ": holds no scene");
+    }
+    String hash = Digests.end(digest);
+    double seconds = (System.nanoTime() - began) * 1e-9 / Math.max(1, content.scenes().size());
+    content.scenes().forEach(s -> jobs.add(new Job(file, modified, hash, seconds, s)));
+  }
+}

@@ -1,0 +1,48 @@
+package glint.desktop;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.TreeSet;
+import java.util.function.Consumer;
+import picocli.CommandLine.Model.CommandSpec;
+import picocli.CommandLine.Option;
+import picocli.CommandLine.ParameterException;
+import picocli.CommandLine.Spec;
+
+/** The choice of scenes. */
+final class SceneFilter {
+
+  @Spec(Spec.Target.MIXEE)
+  private CommandSpec command;
+
+  @Option(
+      names = "--scene",
+      paramLabel = "NAME",
+      description = "Only this scene; may be repeated (default: all).")
+  private List<String> names = new ArrayList<>();
+
+  /**
+   * Returns the scenes that are asked for, in the order of their files.
+   *
+   * <p>A name that no scene has is wrong usage; but where a file has problems, it may be the name
+   * of the scene that could not be read, and is only one more failure.
+   */
+  List<Job> select(Inputs inputs, Consumer<Failed> failures) {
+    if (names.isEmpty()) {
+      return inputs.jobs();
+    }
+    TreeSet<String> known = new TreeSet<>();
+    inputs.jobs().forEach(job -> known.add(job.scene().name()));
+    for (String name : names) {
+      if (!known.contains(name)) {
+        String line = "no scene is called '" + name + "'" + Words.suggestion(name, known);
+        if (inputs.problems().isEmpty()) {
+          throw new ParameterException(
+              command.commandLine(), line + "\nThe scenes are: " + String.join(", ", known));
+        }
+        failures.accept(new Failed(name, line));
+      }
+    }
+    return inputs.jobs().stream().filter(job -> names.contains(job.scene().name())).toList();
+  }
+}

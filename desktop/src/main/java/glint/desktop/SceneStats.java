@@ -1,0 +1,108 @@
+package glint.desktop;
+
+import glint.render.RenderSettings;
+import glint.render.Statistics;
+import glint.trace.RayCounts;
+
+/**
+ * The statistics of one rendered scene, in the order and under the names of the JSON that people
+ * and scripts read; immutable.
+ *
+ * <p>All but the name and the size is null for a scene whose image was kept and holds no record.
+ *
+ * @param sha256 hash of the linear image: its doubles, big-endian, in row order, in hex
+ * @param resumed whether the image was kept from an earlier run; its seconds are then 0
+ */
+record SceneStats(
+    String name,
+    int width,
+    int height,
+    Seconds seconds,
+    Rays rays,
+    Samples samples,
+    Integer primitives,
+    ErrorEstimate error,
+    Depth depth,
+    Long invalid,
+    Long clipped,
+    String sha256,
+    boolean resumed) {
+
+  /** Wall time by phase. */
+  record Seconds(double load, double build, double render, double write) {
+    static final Seconds NONE = new Seconds(0, 0, 0, 0);
+  }
+
+  /** Rays by kind. */
+  record Rays(long camera, long reflection, long refraction, long shadow) {
+    long total() {
+      return camera + reflection + refraction + shadow;
+    }
+  }
+
+  /** Samples of a pixel. */
+  record Samples(int min, double mean, int max) {}
+
+  /** What is known of the error; nothing, until it is estimated. */
+  record ErrorEstimate(Double estimate, Double target, Double truncation, String unit) {
+    static final ErrorEstimate UNKNOWN = new ErrorEstimate(null, null, null, "levels");
+  }
+
+  /** Successive bounces. */
+  record Depth(int max) {}
+
+  /** Returns the statistics of a scene that has just been rendered. */
+  static SceneStats of(String name, RenderSettings settings, Seconds seconds, Statistics s) {
+    RayCounts rays = s.rays();
+    return new SceneStats(
+        name,
+        settings.width(),
+        settings.height(),
+        seconds,
+        new Rays(rays.camera, rays.reflection, rays.refraction, rays.shadow),
+        new Samples(s.minSamples(), s.meanSamples(), s.maxSamples()),
+        s.primitives(),
+        ErrorEstimate.UNKNOWN,
+        new Depth(rays.maxDepth),
+        s.invalid(),
+        s.clipped(),
+        s.sha256(),
+        false);
+  }
+
+  /** Returns the statistics of a kept scene whose files hold no record. */
+  static SceneStats unrecorded(String name, RenderSettings settings) {
+    return new SceneStats(
+        name,
+        settings.width(),
+        settings.height(),
+        Seconds.NONE,
+        null,
+        null,
+        null,
+        ErrorEstimate.UNKNOWN,
+        null,
+        null,
+        null,
+        null,
+        true);
+  }
+
+  /** Returns the same, kept from an earlier run. */
+  SceneStats kept() {
+    return new SceneStats(
+        name,
+        width,
+        height,
+        Seconds.NONE,
+        rays,
+        samples,
+        primitives,
+        error,
+        depth,
+        invalid,
+        clipped,
+        sha256,
+        true);
+  }
+}
