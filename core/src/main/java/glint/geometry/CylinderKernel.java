@@ -34,6 +34,23 @@ final class CylinderKernel {
     return data;
   }
 
+  /** The box around two discs: one of radius r and unit normal a reaches r√(aⱼ² + aₖ²) along i. */
+  static void bounds(double[] data, int at, double[] out) {
+    double height = data[at + 6];
+    double radius = data[at + 7];
+    double topRadius = Math.abs(radius + data[at + 8] * height);
+    for (int axis = 0; axis < 3; axis++) {
+      double a = data[at + 3 + axis];
+      double j = data[at + 3 + (axis + 1) % 3];
+      double k = data[at + 3 + (axis + 2) % 3];
+      double reach = Math.sqrt(j * j + k * k);
+      double base = data[at + axis];
+      double top = base + height * a;
+      out[axis] = Math.min(base - radius * reach, top - topRadius * reach);
+      out[3 + axis] = Math.max(base + radius * reach, top + topRadius * reach);
+    }
+  }
+
   static void intersect(double[] data, int at, Ray ray, Hit hit, int id) {
     double fx = ray.ox - data[at];
     double fy = ray.oy - data[at + 1];

@@ -16,8 +16,11 @@ public final class Hit {
   /** The parameter of the closest hit so far, or the end of the search. */
   public double t;
 
-  /** The primitive hit, or {@link #NONE}. */
+  /** The number of the primitive hit, in scene order, or {@link #NONE}. */
   public int primitive;
+
+  /** Where the primitive hit stands in its arrays. */
+  int slot;
 
   /** Two numbers that the kernel keeps for itself: barycentrics, or the part that was hit. */
   double u;

@@ -30,14 +30,20 @@ public final class Primitives {
 
   private final byte[] kind;
   private final int[] start;
+  private final int[] number;
   private final int[] surface;
   private final double[] data;
+  private final int unbounded;
+  private final double conditioning;
 
-  private Primitives(Builder b) {
+  private Primitives(Builder b, int unbounded) {
     kind = Arrays.copyOf(b.kind, b.count);
     start = Arrays.copyOf(b.start, b.count);
+    number = Arrays.copyOf(b.number, b.count);
     surface = Arrays.copyOf(b.surface, b.count);
     data = Arrays.copyOf(b.data, b.used);
+    this.unbounded = unbounded;
+    conditioning = b.conditioning;
   }
 
   /** Returns the number of primitives. */
@@ -45,19 +51,47 @@ public final class Primitives {
     return kind.length;
   }
 
+  /** Returns how many primitives have no bounds; they take the first slots. */
+  public int unbounded() {
+    return unbounded;
+  }
+
   /**
-   * Offers the hit of a ray with one primitive to a search.
+   * Returns by how much transforms may magnify rounding: the largest |M||M⁻¹| of any, at least 1.
+   */
+  public double conditioning() {
+    return conditioning;
+  }
+
+  /** Returns the same primitives with the bounded ones in another order, and data in that order. */
+  public Primitives reordered(int[] order) {
+    Builder b = new Builder();
+    b.reserve(kind.length, data.length);
+    b.conditioning = conditioning;
+    for (int slot = 0; slot < kind.length; slot++) {
+      int from = slot < unbounded ? slot : unbounded + order[slot - unbounded];
+      b.put(kind[from], data, start[from], sizeOf(kind[from]), number[from], surface[from]);
+    }
+    return new Primitives(b, unbounded);
+  }
+
+  /**
+   * Offers the hit of a ray with the primitive in a slot to a search.
    *
    * @param local scratch for the ray in object space
    */
-  public void intersect(int id, Ray ray, Hit hit, Ray local) {
-    int at = start[id];
-    int k = kind[id];
+  public void intersect(int slot, Ray ray, Hit hit, Ray local) {
+    int at = start[slot];
+    int k = kind[slot];
+    int id = number[slot];
     if (k >= TRANSFORMED) {
       TransformedKernel.toObject(data, at, ray, local);
       intersect(k - TRANSFORMED, at + TransformedKernel.SIZE, local, hit, id);
     } else {
       intersect(k, at, ray, hit, id);
+    }
+    if (hit.primitive == id) {
+      hit.slot = slot;
     }
   }
 
@@ -73,10 +107,10 @@ public final class Primitives {
 
   /** Fills in point, normal, surface and offset of a hit that was found with this ray. */
   public void resolve(Ray ray, Hit hit, Ray local) {
-    int id = hit.primitive;
-    int at = start[id];
-    int k = kind[id];
-    hit.surface = surface[id];
+    int slot = hit.slot;
+    int at = start[slot];
+    int k = kind[slot];
+    hit.surface = surface[slot];
     if (k >= TRANSFORMED) {
       TransformedKernel.toObject(data, at, ray, local);
       resolve(k - TRANSFORMED, at + TransformedKernel.SIZE, local, hit);
@@ -100,15 +134,54 @@ public final class Primitives {
     }
   }
 
+  /**
+   * Writes the box of a bounded primitive: least corner, then greatest, each to within a few
+   * roundings.
+   */
+  public void bounds(int slot, double[] out) {
+    int at = start[slot];
+    int k = kind[slot];
+    if (k >= TRANSFORMED) {
+      bounds(k - TRANSFORMED, at + TransformedKernel.SIZE, out);
+      TransformedKernel.boundsToWorld(data, at, out);
+    } else {
+      bounds(k, at, out);
+    }
+  }
+
+  private void bounds(int k, int at, double[] out) {
+    switch (k) {
+      case SPHERE -> SphereKernel.bounds(data, at, out);
+      case BOX -> System.arraycopy(data, at, out, 0, 6);
+      case CYLINDER -> CylinderKernel.bounds(data, at, out);
+      default -> TriangleKernel.bounds(data, at, out);
+    }
+  }
+
+  private static int sizeOf(int k) {
+    if (k >= TRANSFORMED) {
+      return TransformedKernel.SIZE + sizeOf(k - TRANSFORMED);
+    }
+    return switch (k) {
+      case SPHERE -> SphereKernel.SIZE;
+      case PLANE -> PlaneKernel.SIZE;
+      case BOX -> BoxKernel.SIZE;
+      case CYLINDER -> CylinderKernel.SIZE;
+      default -> TriangleKernel.SIZE;
+    };
+  }
+
   /** Collects surfaces in scene order. */
   public static final class Builder {
 
     private byte[] kind = new byte[16];
     private int[] start = new int[16];
+    private int[] number = new int[16];
     private int[] surface = new int[16];
     private double[] data = new double[256];
     private int count;
     private int used;
+    private double conditioning = 1;
 
     /** Adds a surface, carried into the world by {@code toWorld}, under a surface number. */
     public void add(Surface shape, Transform toWorld, int number) {
@@ -132,9 +205,22 @@ public final class Primitives {
       }
     }
 
-    /** Returns the primitives added so far. */
+    /** Returns the primitives added so far, those without bounds first. */
     public Primitives build() {
-      return new Primitives(this);
+      Primitives inOrder = new Primitives(this, 0);
+      Builder sorted = new Builder();
+      sorted.reserve(count, used);
+      sorted.conditioning = conditioning;
+      int planes = 0;
+      for (boolean bounded : new boolean[] {false, true}) {
+        for (int i = 0; i < count; i++) {
+          if ((kind[i] != PLANE) == bounded) {
+            sorted.put(kind[i], data, start[i], sizeOf(kind[i]), number[i], surface[i]);
+          }
+        }
+        planes = bounded ? planes : sorted.count;
+      }
+      return planes == 0 ? inOrder : new Primitives(sorted, planes);
     }
 
     private void addSphere(Sphere s, Transform toWorld, int number) {
@@ -197,24 +283,33 @@ public final class Primitives {
     }
 
     private void putTransformed(byte k, Transform toWorld, double[] own, int number) {
+      conditioning = Math.max(conditioning, toWorld.conditioning());
       put((byte) (k + TRANSFORMED), TransformedKernel.pack(toWorld, own), number);
     }
 
-    private void put(byte k, double[] numbers, int number) {
-      if (count == kind.length) {
-        kind = Arrays.copyOf(kind, 2 * count);
-        start = Arrays.copyOf(start, 2 * count);
-        surface = Arrays.copyOf(surface, 2 * count);
-      }
-      while (used + numbers.length > data.length) {
-        data = Arrays.copyOf(data, 2 * data.length);
+    private void put(byte k, double[] numbers, int ofSurface) {
+      put(k, numbers, 0, numbers.length, count, ofSurface);
+    }
+
+    private void put(byte k, double[] from, int at, int size, int id, int ofSurface) {
+      if (count == kind.length || used + size > data.length) {
+        reserve(Math.max(count + 1, 2 * kind.length), Math.max(used + size, 2 * data.length));
       }
       kind[count] = k;
       start[count] = used;
-      surface[count] = number;
-      System.arraycopy(numbers, 0, data, used, numbers.length);
-      used += numbers.length;
+      number[count] = id;
+      surface[count] = ofSurface;
+      System.arraycopy(from, at, data, used, size);
+      used += size;
       count++;
+    }
+
+    private void reserve(int primitives, int doubles) {
+      kind = Arrays.copyOf(kind, primitives);
+      start = Arrays.copyOf(start, primitives);
+      number = Arrays.copyOf(number, primitives);
+      surface = Arrays.copyOf(surface, primitives);
+      data = Arrays.copyOf(data, doubles);
     }
   }
 }

@@ -20,6 +20,13 @@ final class SphereKernel {
     return new double[] {center.x(), center.y(), center.z(), radius};
   }
 
+  static void bounds(double[] data, int at, double[] out) {
+    for (int axis = 0; axis < 3; axis++) {
+      out[axis] = data[at + axis] - data[at + 3];
+      out[3 + axis] = data[at + axis] + data[at + 3];
+    }
+  }
+
   static void intersect(double[] data, int at, Ray ray, Hit hit, int id) {
     double fx = ray.ox - data[at];
     double fy = ray.oy - data[at + 1];

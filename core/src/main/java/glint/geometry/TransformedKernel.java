@@ -37,6 +37,24 @@ final class TransformedKernel {
     local.tMin = world.tMin;
   }
 
+  /** Carries a box into the world: the box around its eight moved corners (Arvo 1990). */
+  static void boundsToWorld(double[] data, int at, double[] box) {
+    double[] object = box.clone();
+    for (int row = 0; row < 3; row++) {
+      int m = at + 12 + 4 * row;
+      double least = data[m + 3];
+      double greatest = data[m + 3];
+      for (int axis = 0; axis < 3; axis++) {
+        double a = data[m + axis] * object[axis];
+        double b = data[m + axis] * object[3 + axis];
+        least += Math.min(a, b);
+        greatest += Math.max(a, b);
+      }
+      box[row] = least;
+      box[3 + row] = greatest;
+    }
+  }
+
   /**
    * Carries a hit resolved in object space into the world.
    *

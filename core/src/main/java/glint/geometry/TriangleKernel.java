@@ -26,6 +26,16 @@ final class TriangleKernel {
     return new double[] {a.x(), a.y(), a.z(), b.x(), b.y(), b.z(), c.x(), c.y(), c.z()};
   }
 
+  static void bounds(double[] data, int at, double[] out) {
+    for (int axis = 0; axis < 3; axis++) {
+      double a = data[at + axis];
+      double b = data[at + 3 + axis];
+      double c = data[at + 6 + axis];
+      out[axis] = Math.min(a, Math.min(b, c));
+      out[3 + axis] = Math.max(a, Math.max(b, c));
+    }
+  }
+
   static void intersect(double[] data, int at, Ray ray, Hit hit, int id) {
     // Translate to the ray's origin and shear, so that the ray runs along the z axis.
     double az = data[at + ray.kz] - ray.okz;

@@ -174,6 +174,24 @@ public final class Transform {
     return first;
   }
 
+  /**
+   * Returns by how much a round trip through this map and its inverse may magnify rounding: the
+   * largest row sum of |M||M⁻¹|, at least 1.
+   */
+  public double conditioning() {
+    double largest = 1;
+    for (int row = 0; row < 3; row++) {
+      double sum = 0;
+      for (int i = 0; i < 3; i++) {
+        for (int column = 0; column < 3; column++) {
+          sum += Math.abs(forward[4 * row + i] * inverse[4 * i + column]);
+        }
+      }
+      largest = Math.max(largest, sum);
+    }
+    return largest;
+  }
+
   private Vector3d column(int i) {
     return new Vector3d(forward[i], forward[4 + i], forward[8 + i]);
   }

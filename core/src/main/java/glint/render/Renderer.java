@@ -140,7 +140,7 @@ public final class Renderer {
         samples,
         samples,
         samples,
-        scene.primitives().count(),
+        scene.primitiveCount(),
         invalid,
         ImageFacts.clipped(image),
         seconds,

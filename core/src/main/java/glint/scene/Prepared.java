@@ -1,6 +1,7 @@
 package glint.scene;
 
-import glint.accel.LinearScan;
+import glint.accel.Bvh;
+import glint.accel.Intersector;
 import glint.color.Rgb;
 import glint.geometry.Primitives;
 import glint.light.Illumination;
@@ -17,35 +18,41 @@ public final class Prepared {
   private final Illumination lights;
   private final Material[] materials;
   private final Primitives primitives;
-  private final LinearScan search;
+
+  /** The tree over the primitives, or null where the plan does without. */
+  private final Bvh tree;
+
   private final double radianceBound;
 
-  private Prepared(Scene scene, RenderPlan plan, Illumination lights) {
+  private Prepared(Scene scene, Primitives primitives, Illumination lights, RenderPlan plan) {
     this.scene = scene;
-    this.plan = plan;
     this.lights = lights;
-    List<Placement> placements = scene.placements();
-    materials = new Material[placements.size()];
-    Primitives.Builder builder = new Primitives.Builder();
-    for (int i = 0; i < materials.length; i++) {
-      Placement p = placements.get(i);
-      materials[i] = p.material();
-      builder.add(p.surface(), p.toWorld(), i);
-    }
-    primitives = builder.build();
-    search = new LinearScan(primitives);
+    this.plan = plan;
+    this.primitives = primitives;
+    materials = scene.placements().stream().map(Placement::material).toArray(Material[]::new);
+    tree = plan.tree().used() ? Bvh.over(primitives) : null;
     radianceBound = boundRadiance();
   }
 
   /** Flattens a scene and decides what it needs. */
   public static Prepared of(Scene scene) {
+    Primitives primitives = flatten(scene);
     Illumination lights = new Illumination(scene.lights());
-    return new Prepared(scene, RenderPlan.of(scene, lights), lights);
+    return new Prepared(scene, primitives, lights, RenderPlan.of(scene, primitives, lights));
   }
 
   /** Flattens a scene under a plan that must use at least what it needs. */
   public static Prepared of(Scene scene, RenderPlan plan) {
-    return new Prepared(scene, plan, new Illumination(scene.lights()));
+    return new Prepared(scene, flatten(scene), new Illumination(scene.lights()), plan);
+  }
+
+  private static Primitives flatten(Scene scene) {
+    Primitives.Builder builder = new Primitives.Builder();
+    List<Placement> placements = scene.placements();
+    for (int i = 0; i < placements.size(); i++) {
+      builder.add(placements.get(i).surface(), placements.get(i).toWorld(), i);
+    }
+    return builder.build();
   }
 
   /** Returns the scene as it was written. */
@@ -68,14 +75,14 @@ public final class Prepared {
     return materials[surface];
   }
 
-  /** Returns the primitives. */
-  public Primitives primitives() {
-    return primitives;
+  /** Returns the number of things that a ray can hit. */
+  public int primitiveCount() {
+    return primitives.count();
   }
 
-  /** Returns the search for hits. */
-  public LinearScan search() {
-    return search;
+  /** Returns a search for hits, for one worker. */
+  public Intersector intersector() {
+    return tree == null ? new Intersector(primitives) : new Intersector(tree);
   }
 
   /**

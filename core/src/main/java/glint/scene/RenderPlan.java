@@ -1,5 +1,6 @@
 package glint.scene;
 
+import glint.geometry.Primitives;
 import glint.light.Illumination;
 import glint.optics.Highlight;
 import java.util.List;
@@ -12,11 +13,20 @@ import java.util.function.Predicate;
  * <p>These very decisions select the code that runs, and {@code glint plan} prints them.
  */
 public record RenderPlan(
-    Decision directLight, Decision shadows, Decision highlights, Decision mirrors, Decision sky) {
+    Decision tree,
+    Decision directLight,
+    Decision shadows,
+    Decision highlights,
+    Decision mirrors,
+    Decision sky) {
+
+  /** Up to this many bounded primitives a scan of all is faster than a walk through a tree. */
+  private static final int HANDFUL = 8;
 
   /** Looks at a scene once and decides. */
-  static RenderPlan of(Scene scene, Illumination lights) {
+  static RenderPlan of(Scene scene, Primitives primitives, Illumination lights) {
     return new RenderPlan(
+        tree(primitives),
         directLight(scene, lights),
         shadows(scene, lights),
         highlights(scene, lights),
@@ -28,6 +38,7 @@ public record RenderPlan(
   public static RenderPlan everything() {
     String reason = "everything is switched on";
     return new RenderPlan(
+        new Decision("hierarchy", true, reason),
         new Decision("direct light", true, reason),
         new Decision("shadow rays", true, reason),
         new Decision("highlights", true, reason),
@@ -37,7 +48,15 @@ public record RenderPlan(
 
   /** Returns the decisions in the order in which a ray meets them. */
   public List<Decision> decisions() {
-    return List.of(directLight, shadows, highlights, mirrors, sky);
+    return List.of(tree, directLight, shadows, highlights, mirrors, sky);
+  }
+
+  private static Decision tree(Primitives primitives) {
+    int bounded = primitives.count() - primitives.unbounded();
+    String counts = bounded + " bounded primitives, " + primitives.unbounded() + " without bounds";
+    return bounded > HANDFUL
+        ? new Decision("hierarchy", true, "bounding volumes over " + counts)
+        : new Decision("hierarchy", false, "a handful is scanned: " + counts);
   }
 
   private static Decision directLight(Scene scene, Illumination lights) {

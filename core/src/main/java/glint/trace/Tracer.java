@@ -1,5 +1,6 @@
 package glint.trace;
 
+import glint.accel.Intersector;
 import glint.color.Rgb;
 import glint.geometry.Hit;
 import glint.geometry.Ray;
@@ -31,10 +32,10 @@ public final class Tracer {
   private final int maxDepth;
   private final double least;
 
+  private final Intersector intersector;
   private final Hit hit = new Hit();
   private final Hit blocker = new Hit();
   private final Ray shadowRay = new Ray();
-  private final Ray local = new Ray();
   private final LightSample light = new LightSample();
   private final RayCounts counts = new RayCounts();
 
@@ -59,6 +60,7 @@ public final class Tracer {
     this.scene = scene;
     this.plan = scene.plan();
     this.lights = scene.lights();
+    this.intersector = scene.intersector();
     this.maxDepth = maxDepth;
     this.least = NEGLIGIBLE / scene.radianceBound();
   }
@@ -85,7 +87,7 @@ public final class Tracer {
     double end = tMax;
     for (int depth = 0; ; depth++) {
       counts.maxDepth = Math.max(counts.maxDepth, depth);
-      scene.search().closest(ray, end, hit, local);
+      intersector.closest(ray, end, hit);
       if (!hit.found()) {
         addBackground(ray, weightR, weightG, weightB);
         return;
@@ -115,7 +117,7 @@ public final class Tracer {
    */
   public Hit look(Ray ray, double tMax) {
     counts.camera++;
-    scene.search().closest(ray, tMax, hit, local);
+    intersector.closest(ray, tMax, hit);
     if (hit.found()) {
       resolve(ray);
     }
@@ -123,7 +125,7 @@ public final class Tracer {
   }
 
   private void resolve(Ray ray) {
-    scene.primitives().resolve(ray, hit, local);
+    intersector.resolve(ray, hit);
     // Turn the normal to the side that the ray comes from.
     boolean behind = ray.dx * hit.nx + ray.dy * hit.ny + ray.dz * hit.nz > 0;
     nx = behind ? -hit.nx : hit.nx;
@@ -185,7 +187,7 @@ public final class Tracer {
     }
     counts.shadow++;
     double end = lights.shadowRay(i, hit, shadowRay);
-    return scene.search().any(shadowRay, end, blocker, local);
+    return intersector.any(shadowRay, end, blocker);
   }
 
   /** Returns the highlight's lobe, 0 to 1, for the light in {@link #light} at {@code cos}. */

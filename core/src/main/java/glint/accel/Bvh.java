@@ -1,0 +1,99 @@
+package glint.accel;
+
+import glint.geometry.Primitives;
+
+/**
+ * A bounding volume hierarchy over the bounded primitives of a scene, in flat arrays; immutable.
+ *
+ * <p>A node holds the boxes of both its children, so that a ray decides about two boxes with one
+ * look into memory. Boxes are floats rounded outward, and wider than what they hold by the scene's
+ * size times 2^-40.
+ */
+public final class Bvh {
+
+  /** No path from the root to a leaf is longer: see {@link BvhBuilder#SAH_DEPTH}. */
+  static final int MAX_DEPTH = 64;
+
+  /** Boxes are this share of the largest coordinate wider than their primitives. */
+  static final double MARGIN = 0x1p-40;
+
+  /** The primitives, unbounded ones first, then those of leaf after leaf. */
+  private final Primitives primitives;
+
+  /** Least and greatest corner of the first child, then of the second: twelve floats a node. */
+  final float[] boxes;
+
+  /** Two children a node: a node, or the complement of a leaf's start and size. */
+  final int[] children;
+
+  /** The largest absolute coordinate of the bounded primitives' boxes. */
+  final double size;
+
+  private Bvh(Primitives primitives, double size, float[] boxes, int[] children) {
+    this.primitives = primitives;
+    this.size = size;
+    this.boxes = boxes;
+    this.children = children;
+  }
+
+  /** Builds a tree; with fewer than two bounded primitives it has no nodes. */
+  public static Bvh over(Primitives primitives) {
+    double size = largestCoordinate(primitives);
+    BvhBuilder builder = new BvhBuilder(primitives, size * MARGIN);
+    if (builder.count < 2) {
+      return new Bvh(primitives, size, new float[0], new int[0]);
+    }
+    builder.build();
+    // Close the gaps that leaves of several primitives left in the numbering.
+    int[] renumbered = new int[builder.used.length];
+    int nodes = 0;
+    for (int i = 0; i < renumbered.length; i++) {
+      renumbered[i] = nodes;
+      nodes += builder.used[i] ? 1 : 0;
+    }
+    float[] boxes = new float[12 * nodes];
+    int[] children = new int[2 * nodes];
+    for (int i = 0; i < renumbered.length; i++) {
+      if (builder.used[i]) {
+        System.arraycopy(builder.childBoxes, 12 * i, boxes, 12 * renumbered[i], 12);
+        for (int side = 0; side < 2; side++) {
+          int child = builder.children[2 * i + side];
+          children[2 * renumbered[i] + side] = child < 0 ? child : renumbered[child];
+        }
+      }
+    }
+    return new Bvh(primitives.reordered(builder.order), size, boxes, children);
+  }
+
+  /** Returns the primitives in the order in which this tree refers to them. */
+  public Primitives primitives() {
+    return primitives;
+  }
+
+  /** Returns the number of nodes. */
+  public int nodes() {
+    return children.length / 2;
+  }
+
+  /** Returns the first primitive of a leaf, counted among the bounded ones. */
+  static int leafStart(int child) {
+    return ~child >>> 3;
+  }
+
+  /** Returns the number of primitives in a leaf. */
+  static int leafSize(int child) {
+    return ~child & 7;
+  }
+
+  private static double largestCoordinate(Primitives primitives) {
+    double[] box = new double[6];
+    double largest = 0;
+    for (int slot = primitives.unbounded(); slot < primitives.count(); slot++) {
+      primitives.bounds(slot, box);
+      for (double v : box) {
+        largest = Math.max(largest, Math.abs(v));
+      }
+    }
+    return largest;
+  }
+}

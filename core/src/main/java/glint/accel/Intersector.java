@@ -1,0 +1,195 @@
+package glint.accel;
+
+import glint.geometry.Hit;
+import glint.geometry.Primitives;
+import glint.geometry.Ray;
+
+/**
+ * Finds what a ray hits; owns the scratch for it, so one per worker.
+ *
+ * <p>Unbounded primitives are tried one by one, and so is everything where there is no tree; both
+ * ways give the same hit, bit for bit, because a hit depends on ray and primitive alone and equal
+ * parameters go to the lower number.
+ */
+public final class Intersector {
+
+  /**
+   * The least magnitude of a direction component in the tree, so that no slab computes 0·∞. A ray
+   * that runs so straight leaves a slab by far less than a box's margin.
+   */
+  private static final double LEAST_COMPONENT = 1e-150;
+
+  /**
+   * How far, in roundings of the largest number at hand, a kernel's idea of a hit may lie off the
+   * primitive, with room for the slab's own: see docs/numerics.md.
+   */
+  private static final double SLACK = 32 * 0x1p-53;
+
+  private final Primitives primitives;
+  private final Bvh tree;
+  private final Ray local = new Ray();
+  private final int[] stack = new int[Bvh.MAX_DEPTH];
+  private final double[] stackNear = new double[Bvh.MAX_DEPTH];
+
+  // The ray as slabs see it: reciprocal direction, and origins moved apart for near and far planes.
+  private double inverseX;
+  private double inverseY;
+  private double inverseZ;
+  private double nearX;
+  private double nearY;
+  private double nearZ;
+  private double farX;
+  private double farY;
+  private double farZ;
+
+  /** Searches a tree. */
+  public Intersector(Bvh tree) {
+    this.primitives = tree.primitives();
+    this.tree = tree;
+  }
+
+  /** Searches without a tree: the fastest way for a handful, and the reference for any tree. */
+  public Intersector(Primitives primitives) {
+    this.primitives = primitives;
+    this.tree = null;
+  }
+
+  /** Finds the hit with the least t in {@code (ray.tMin, tMax]}. */
+  public void closest(Ray ray, double tMax, Hit hit) {
+    hit.begin(tMax);
+    search(ray, hit, false);
+  }
+
+  /** Returns whether anything is hit in {@code (ray.tMin, tMax]}. */
+  public boolean any(Ray ray, double tMax, Hit scratch) {
+    scratch.begin(tMax);
+    search(ray, scratch, true);
+    return scratch.found();
+  }
+
+  /** Fills in point, normal and surface of a hit that was found with this ray. */
+  public void resolve(Ray ray, Hit hit) {
+    primitives.resolve(ray, hit, local);
+  }
+
+  private void search(Ray ray, Hit hit, boolean stopAtFirst) {
+    int linear = tree == null || tree.nodes() == 0 ? primitives.count() : primitives.unbounded();
+    for (int slot = 0; slot < linear; slot++) {
+      primitives.intersect(slot, ray, hit, local);
+      if (stopAtFirst && hit.found()) {
+        return;
+      }
+    }
+    if (linear < primitives.count()) {
+      prepare(ray);
+      walk(ray, hit, stopAtFirst);
+    }
+  }
+
+  /**
+   * Moves the origin back for near planes and forward for far ones, axis by axis.
+   *
+   * <p>A slab's t, (plane - o)·(1/d), is off by at most 3 roundings: as if the plane were moved by
+   * 3u|plane - o|. A kernel's hit lies off its primitive by a few u(|o| + |primitive|), times the
+   * conditioning of a transform. Moving the planes apart by more than both misses no hit.
+   */
+  private void prepare(Ray ray) {
+    double reach =
+        tree.size + Math.max(Math.abs(ray.ox), Math.max(Math.abs(ray.oy), Math.abs(ray.oz)));
+    reach += 0 * (ray.dx + ray.dy + ray.dz); // a ray that is not finite fails every comparison
+    double slack = SLACK * primitives.conditioning() * reach;
+    double dx = steep(ray.dx);
+    double dy = steep(ray.dy);
+    double dz = steep(ray.dz);
+    inverseX = 1 / dx;
+    inverseY = 1 / dy;
+    inverseZ = 1 / dz;
+    nearX = dx > 0 ? ray.ox + slack : ray.ox - slack;
+    nearY = dy > 0 ? ray.oy + slack : ray.oy - slack;
+    nearZ = dz > 0 ? ray.oz + slack : ray.oz - slack;
+    farX = dx > 0 ? ray.ox - slack : ray.ox + slack;
+    farY = dy > 0 ? ray.oy - slack : ray.oy + slack;
+    farZ = dz > 0 ? ray.oz - slack : ray.oz + slack;
+  }
+
+  private static double steep(double d) {
+    return Math.abs(d) < LEAST_COMPONENT ? Math.copySign(LEAST_COMPONENT, d) : d;
+  }
+
+  private void walk(Ray ray, Hit hit, boolean stopAtFirst) {
+    float[] boxes = tree.boxes;
+    int[] children = tree.children;
+    int bounded = primitives.unbounded();
+    // Choose the near and far plane of each slab by the sign of the direction.
+    int lowX = inverseX > 0 ? 0 : 3;
+    int lowY = inverseY > 0 ? 1 : 4;
+    int lowZ = inverseZ > 0 ? 2 : 5;
+    int highX = 3 - lowX;
+    int highY = 5 - lowY;
+    int highZ = 7 - lowZ;
+    double start = ray.tMin;
+    int top = 0;
+    int node = 0;
+    while (true) {
+      while (node >= 0) {
+        int at = 12 * node;
+        double near0 = enter(boxes, at + lowX, at + lowY, at + lowZ, start);
+        double far0 = leave(boxes, at + highX, at + highY, at + highZ, hit.t);
+        double near1 = enter(boxes, at + 6 + lowX, at + 6 + lowY, at + 6 + lowZ, start);
+        double far1 = leave(boxes, at + 6 + highX, at + 6 + highY, at + 6 + highZ, hit.t);
+        int first = children[2 * node];
+        int second = children[2 * node + 1];
+        if (near0 <= far0) {
+          node = first;
+          if (near1 <= far1) {
+            // Visit the nearer child first, the other one later.
+            boolean swap = near1 < near0;
+            node = swap ? second : first;
+            stack[top] = swap ? first : second;
+            stackNear[top++] = swap ? near0 : near1;
+          }
+        } else if (near1 <= far1) {
+          node = second;
+        } else {
+          do {
+            if (top == 0) {
+              return;
+            }
+            node = stack[--top];
+          } while (stackNear[top] > hit.t);
+        }
+      }
+      int slot = bounded + Bvh.leafStart(node);
+      for (int end = slot + Bvh.leafSize(node); slot < end; slot++) {
+        primitives.intersect(slot, ray, hit, local);
+      }
+      if (stopAtFirst && hit.found()) {
+        return;
+      }
+      do {
+        if (top == 0) {
+          return;
+        }
+        node = stack[--top];
+      } while (stackNear[top] > hit.t);
+    }
+  }
+
+  private double enter(float[] boxes, int x, int y, int z, double start) {
+    double t = (boxes[x] - nearX) * inverseX;
+    double ty = (boxes[y] - nearY) * inverseY;
+    double tz = (boxes[z] - nearZ) * inverseZ;
+    t = ty > t ? ty : t;
+    t = tz > t ? tz : t;
+    return start > t ? start : t;
+  }
+
+  private double leave(float[] boxes, int x, int y, int z, double end) {
+    double t = (boxes[x] - farX) * inverseX;
+    double ty = (boxes[y] - farY) * inverseY;
+    double tz = (boxes[z] - farZ) * inverseZ;
+    t = ty < t ? ty : t;
+    t = tz < t ? tz : t;
+    return end < t ? end : t;
+  }
+}
