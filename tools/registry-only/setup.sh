@@ -35,7 +35,7 @@ up_to_date() {
 # made, and two runs at once do not meet.
 make_kit() {
     say "for a network without Gradle's download site and without an Android SDK: makes $gradle and an SDK folder"
-    say 'from artifacts of Maven Central that mvn downloads (250 MB, once), each checked against checksums.sha256'
+    say 'from artifacts of Maven Central that mvn downloads (320 MB, once), each checked against checksums.sha256'
     command -v mvn >/dev/null || fail 'mvn (Apache Maven) is not installed; it is needed for the downloads'
     mkdir -p "$kit" "$dists"
     find "$kit" "$dists" -prune -o -name 'work.*' -mmin +120 -exec rm -rf {} + # of runs that were killed
@@ -52,7 +52,7 @@ make_kit() {
     asm=$(echo "$work"/jars/asm-*.jar | tr ' ' :)
     mkdir "$work/classes"
     "$JAVA_HOME/bin/javac" -cp "$asm" -d "$work/classes" "$here"/java/*.java
-    run Kit verify "$here/checksums.sha256" "$work/jars"
+    run Kit verify "$here/checksums.sha256" "$work/jars" || fail 'so nothing was made'
 
     make_gradle "$staged/$gradle"
     make_sdk "$work/sdk"
