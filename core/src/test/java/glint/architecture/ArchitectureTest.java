@@ -34,7 +34,8 @@ class ArchitectureTest {
           "scene",
           "trace",
           "render",
-          "io");
+          "io",
+          "verify");
 
   private static final Path SOURCES = Path.of("src", "main", "java", "glint");
   private static final Pattern IMPORT = Pattern.compile("(?m)^import (?:static )?([\\w.]+);");

@@ -1,0 +1,2 @@
+/** Readers of scene files and images from streams. */
+package glint.io;
