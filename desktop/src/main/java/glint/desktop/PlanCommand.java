@@ -48,8 +48,8 @@ final class PlanCommand implements Callable<Integer> {
     for (Decision decision : prepared.plan().decisions()) {
       table.row(decision.feature(), decision.used() ? "yes" : "no", decision.reason());
     }
-    String primitives = Figures.count(prepared.primitives().count(), "primitive");
-    out.printf("%s: %dx%d, %s%n", scene.name(), scene.width(), scene.height(), primitives);
+    String primitives = Figures.count(prepared.primitiveCount(), "primitive");
+    out.println(scene.name() + ": " + scene.width() + "x" + scene.height() + ", " + primitives);
     table.print(out);
     out.println();
   }
