@@ -202,6 +202,8 @@ public final class Primitives {
         addPyramid(p, toWorld, number);
       } else if (shape instanceof Cylinder c) {
         addCylinder(c, toWorld, number);
+      } else if (shape instanceof Mesh m) {
+        addMesh(m, toWorld, number);
       }
     }
 
@@ -253,6 +255,27 @@ public final class Primitives {
         double[] own =
             CylinderKernel.pack(c.base(), c.top(), c.radius(), c.topRadius(), c.capped());
         putTransformed(CYLINDER, toWorld, own, number);
+      }
+    }
+
+    /** Adds every triangle; one whose corners a mirroring has turned over is reversed. */
+    private void addMesh(Mesh m, Transform toWorld, int number) {
+      reserve(count + m.triangles(), used + TriangleKernel.SIZE * m.triangles());
+      byte k = toWorld.mirrors() ? REVERSED_TRIANGLE : TRIANGLE;
+      double[] nine = new double[TriangleKernel.SIZE];
+      double[] rows = toWorld.rows();
+      for (int i = 0; i < m.triangles(); i++) {
+        for (int j = 0; j < 3; j++) {
+          double x = m.coordinate(i, j, 0);
+          double y = m.coordinate(i, j, 1);
+          double z = m.coordinate(i, j, 2);
+          for (int axis = 0; axis < 3; axis++) {
+            int row = 4 * axis;
+            nine[3 * j + axis] =
+                rows[row] * x + rows[row + 1] * y + rows[row + 2] * z + rows[row + 3];
+          }
+        }
+        put(k, nine, number);
       }
     }
 

@@ -6,4 +6,5 @@ package glint.geometry;
  * <p>Every kind is a closed set: a ray through an edge or a tangent ray hits. Constructors reject
  * what has no shape with a {@link glint.math.BadValueException} that names the field.
  */
-public sealed interface Surface permits Sphere, Triangle, Plane, Quad, Box, Pyramid, Cylinder {}
+public sealed interface Surface
+    permits Sphere, Triangle, Plane, Quad, Box, Pyramid, Cylinder, Mesh {}

@@ -174,6 +174,11 @@ public final class Transform {
     return first;
   }
 
+  /** Returns whether this map turns a right hand into a left one. */
+  public boolean mirrors() {
+    return column(0).cross(column(1)).dot(column(2)) < 0;
+  }
+
   /**
    * Returns by how much a round trip through this map and its inverse may magnify rounding: the
    * largest row sum of |M||M⁻¹|, at least 1.

@@ -2,8 +2,10 @@ package glint.geometry;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import glint.math.BadValueException;
 import glint.math.Quaternion;
 import glint.math.Transform;
 import glint.math.Vector3d;
@@ -140,6 +142,31 @@ class KernelsTest {
     assertEquals(gradient.x(), hit.nx, 1e-14);
     assertEquals(gradient.y(), hit.ny, 1e-14);
     assertEquals(gradient.z(), hit.nz, 1e-14);
+  }
+
+  @Test
+  void aMeshKeepsItsOutsideUnderAMirroringTransform() {
+    Mesh mesh = new Mesh(new double[] {0, 0, 0, 1, 0, 0, 0, 1, 0}, new int[] {0, 1, 2});
+    Ray ray = new Ray();
+    ray.set(0.25, 0.25, 5, 0, 0, -1);
+    Primitives plain = of(mesh, Transform.IDENTITY);
+    Hit hit = closest(plain, ray);
+    plain.resolve(ray, hit, local);
+    assertEquals(1, hit.nz);
+    Primitives mirrored = of(mesh, Transform.scale(v(-1, 1, 1)));
+    ray.set(-0.25, 0.25, 5, 0, 0, -1);
+    hit = closest(mirrored, ray);
+    mirrored.resolve(ray, hit, local);
+    assertEquals(1, hit.nz);
+  }
+
+  @Test
+  void aMeshWithACornerThatIsNoPointIsRefused() {
+    double[] point = {0, 0, 0};
+    assertThrows(BadValueException.class, () -> new Mesh(point, new int[] {0, 0, 1}));
+    assertThrows(BadValueException.class, () -> new Mesh(point, new int[] {0, -1, 0}));
+    double[] broken = {0, Double.NaN, 0};
+    assertThrows(BadValueException.class, () -> new Mesh(broken, new int[] {0, 0, 0}));
   }
 
   static List<Transform> places() {
