@@ -29,21 +29,22 @@ public final class Bvh {
   /** The largest absolute coordinate of the bounded primitives' boxes. */
   final double size;
 
-  private Bvh(Primitives primitives, double size, float[] boxes, int[] children) {
+  /** Where a walk begins: node 0, or a leaf that holds the few there are. */
+  final int root;
+
+  private Bvh(Primitives primitives, double size, int root, float[] boxes, int[] children) {
     this.primitives = primitives;
     this.size = size;
+    this.root = root;
     this.boxes = boxes;
     this.children = children;
   }
 
-  /** Builds a tree; with fewer than two bounded primitives it has no nodes. */
+  /** Builds a tree. */
   public static Bvh over(Primitives primitives) {
     double size = largestCoordinate(primitives);
     BvhBuilder builder = new BvhBuilder(primitives, size * MARGIN);
-    if (builder.count < 2) {
-      return new Bvh(primitives, size, new float[0], new int[0]);
-    }
-    builder.build();
+    int root = builder.build();
     // Close the gaps that leaves of several primitives left in the numbering.
     int[] renumbered = new int[builder.used.length];
     int nodes = 0;
@@ -62,7 +63,7 @@ public final class Bvh {
         }
       }
     }
-    return new Bvh(primitives.reordered(builder.order), size, boxes, children);
+    return new Bvh(primitives.reordered(builder.order), size, root, boxes, children);
   }
 
   /** Returns the primitives in the order in which this tree refers to them. */
@@ -73,6 +74,11 @@ public final class Bvh {
   /** Returns the number of nodes. */
   public int nodes() {
     return children.length / 2;
+  }
+
+  /** Returns a leaf of {@code size} primitives from {@code start} on. */
+  static int leaf(int start, int size) {
+    return ~(start << 3 | size);
   }
 
   /** Returns the first primitive of a leaf, counted among the bounded ones. */

@@ -73,7 +73,7 @@ public final class Intersector {
   }
 
   private void search(Ray ray, Hit hit, boolean stopAtFirst) {
-    int linear = tree == null || tree.nodes() == 0 ? primitives.count() : primitives.unbounded();
+    int linear = tree == null ? primitives.count() : primitives.unbounded();
     for (int slot = 0; slot < linear; slot++) {
       primitives.intersect(slot, ray, hit, local);
       if (stopAtFirst && hit.found()) {
@@ -129,7 +129,7 @@ public final class Intersector {
     int highZ = 7 - lowZ;
     double start = ray.tMin;
     int top = 0;
-    int node = 0;
+    int node = tree.root;
     while (true) {
       while (node >= 0) {
         int at = 12 * node;
