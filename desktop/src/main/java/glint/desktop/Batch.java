@@ -65,9 +65,14 @@ final class Batch {
         if (other != null) {
           throw new RunException(
               String.format(
+                  Locale.ROOT,
                   "scene '%s' of %s and scene '%s' of %s would both become %s; rename one, or"
                       + " render them apart with --scene and --out",
-                  other.scene().name(), other.file(), job.scene().name(), job.file(), file));
+                  other.scene().name(),
+                  other.file(),
+                  job.scene().name(),
+                  job.file(),
+                  file));
         }
       }
     }

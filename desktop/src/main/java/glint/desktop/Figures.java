@@ -29,7 +29,7 @@ final class Figures {
   }
 
   /** Returns "1 scene" or "3 scenes". */
-  static String count(int n, String what) {
+  static String count(long n, String what) {
     return n + " " + what + (n == 1 ? "" : "s");
   }
 }

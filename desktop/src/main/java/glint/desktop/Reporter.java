@@ -49,29 +49,18 @@ final class Reporter implements AutoCloseable {
 
   /** Ends a scene that is rendered and written. */
   void finished(SceneStats s, int samples, OutputFiles files) {
-    String rate = Figures.rate(s.rays().total(), s.seconds().render());
-    String where = " -> " + names(files);
+    double seconds = s.seconds().render();
+    String end = Figures.rate(s.rays().total(), seconds) + " -> " + names(files);
     if (bar != null) {
-      bar.finish(rate + where);
+      bar.finish(end);
       close();
     } else {
-      note(
-          String.format(
-              "%s: %dx%d, %s, %s, %s%s",
-              s.name(),
-              s.width(),
-              s.height(),
-              Figures.count(samples, "sample"),
-              Figures.seconds(s.seconds().render()),
-              rate,
-              where));
+      String what = s.width() + "x" + s.height() + ", " + Figures.count(samples, "sample");
+      note(s.name() + ": " + what + ", " + Figures.seconds(seconds) + ", " + end);
     }
     if (s.invalid() != 0) {
-      note(
-          s.name()
-              + ": warning: "
-              + Figures.count((int) Math.min(s.invalid(), Integer.MAX_VALUE), "sample")
-              + " not finite (NaN or infinite) and left out");
+      String count = Figures.count(s.invalid(), "sample");
+      note(s.name() + ": warning: " + count + " not finite (NaN or infinite) and left out");
     }
   }
 

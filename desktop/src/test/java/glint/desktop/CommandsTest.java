@@ -1,0 +1,117 @@
+package glint.desktop;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertThrows;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import glint.render.Aov;
+import glint.render.RenderSettings;
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.OptionalInt;
+import java.util.Set;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+
+class CommandsTest {
+
+  @TempDir private Path dir;
+
+  @Test
+  void withoutACommandTheUsageIsPrinted() {
+    Run run = Run.of();
+    assertEquals(2, run.exitCode());
+    assertEquals("", run.out());
+    assertTrue(run.err().startsWith("Usage: glint"), run.err());
+    for (String command : List.of("render", "plan", "check", "compare")) {
+      assertTrue(run.err().contains("\n  " + command + " "), command);
+      Run help = Run.of(command, "--help");
+      assertEquals(0, help.exitCode());
+      assertTrue(help.out().startsWith("Usage: glint " + command), help.out());
+    }
+    assertEquals(0, Run.of("--help").exitCode());
+  }
+
+  @Test
+  void versionSaysWhatRuns() {
+    Run run = Run.of("--version");
+    assertEquals(0, run.exitCode());
+    List<String> lines = run.out().lines().toList();
+    assertTrue(lines.get(0).matches("glint \\d+\\.\\d+\\.\\d+.*"), run.out());
+    assertTrue(lines.get(1).startsWith("Java " + System.getProperty("java.version")), run.out());
+    assertEquals("kernel scalar", lines.get(2));
+  }
+
+  @Test
+  void aMistypedCommandGetsASuggestion() {
+    Run run = Run.of("rendr", "x");
+    assertEquals(2, run.exitCode());
+    assertTrue(run.err().contains("glint render"), run.err());
+  }
+
+  @Test
+  void completionIsGenerated() {
+    Run run = Run.of("generate-completion");
+    assertEquals(0, run.exitCode());
+    assertTrue(run.out().contains("--samples"), run.out());
+  }
+
+  @Test
+  void checkPassesGoodFilesAndListsAllThatIsWrong() throws IOException {
+    Path good = Scenes.write(dir.resolve("good.yaml"), "one", "two");
+    Path single = Scenes.write(dir.resolve("single.yaml"), "one");
+    Run run = Run.of("check", good, single);
+    assertEquals(0, run.exitCode());
+    assertEquals("", run.err());
+    String expected = good + ": 2 scenes, no problems\n" + single + ": 1 scene, no problems\n";
+    assertEquals(expected, run.out().replace("\r\n", "\n"));
+    Path bad = dir.resolve("bad.yaml");
+    String text = Files.readString(good).replace("radius: 1", "radius: 0");
+    Files.writeString(bad, text.replace("fov: 40", "fov: 400"));
+    run = Run.of("check", bad, good);
+    assertEquals(1, run.exitCode());
+    assertTrue(run.errLines().size() >= 3, run.err());
+    for (String line : run.errLines()) {
+      assertTrue(line.startsWith(bad + ":"), line);
+    }
+    assertEquals(good + ": 2 scenes, no problems", run.out().trim());
+  }
+
+  @Test
+  void planPrintsEveryDecisionWithItsReason() throws IOException {
+    Path file = Scenes.write(dir.resolve("a.yaml"), "one", "two");
+    Run run = Run.of("plan", file, "--scene", "two");
+    assertEquals(0, run.exitCode(), run.err());
+    assertTrue(run.out().startsWith("two: 40x30, 2 primitives"), run.out());
+    assertTrue(run.out().matches("(?s).*mirror rays +yes +reflecting surfaces: 2.*"), run.out());
+    assertTrue(run.out().matches("(?s).*sky gradient +no +.*"), run.out());
+    assertFalse(run.out().contains("one:"));
+    assertEquals(2, Run.of("plan", file, "--scene", "tow").exitCode());
+    assertEquals(1, Run.of("plan", dir.resolve("nowhere.yaml")).exitCode());
+  }
+
+  @Test
+  void theLimitsOfTheOptionsAreThoseOfTheRenderer() {
+    int samples = RenderOptions.MAX_SAMPLES;
+    int depth = RenderOptions.MAX_DEPTH;
+    int threads = RenderOptions.MAX_THREADS;
+    int tile = RenderOptions.MAX_TILE;
+    settings(samples, depth, threads, tile);
+    assertBad(() -> settings(samples + 1, depth, threads, tile));
+    assertBad(() -> settings(samples, depth + 1, threads, tile));
+    assertBad(() -> settings(samples, depth, threads + 1, tile));
+    assertBad(() -> settings(samples, depth, threads, tile + 1));
+  }
+
+  private static void settings(int samples, int depth, int threads, int tile) {
+    Set<Aov> none = Set.of();
+    new RenderSettings(1, 1, samples, 0, OptionalInt.of(depth), threads, tile, none);
+  }
+
+  private static void assertBad(org.junit.jupiter.api.function.Executable settings) {
+    assertThrows(IllegalArgumentException.class, settings);
+  }
+}
