@@ -73,8 +73,7 @@ final class Cs315Line {
     if (!isNumber) {
       report(argumentPlace(i), "expected a number, but found " + SourceText.quote(word));
     } else if (Double.isInfinite(value)) {
-      report(
-          argumentPlace(i), SourceText.quote(word) + " is not a finite number that fits a double");
+      report(argumentPlace(i), "too large a number: " + SourceText.quote(word));
       return 0;
     }
     return value;
@@ -83,16 +82,17 @@ final class Cs315Line {
   /** Returns argument {@code i} as a whole number, 0 with a problem reported if it is none. */
   int wholeNumber(int i) {
     double value = number(i);
-    if (value != Math.rint(value) || Math.abs(value) > Integer.MAX_VALUE) {
-      report(
-          argumentPlace(i),
-          "expected a whole number of at most "
-              + Integer.MAX_VALUE
-              + ", but found "
-              + SourceText.quote(argument(i)));
-      return 0;
+    if (value == Math.rint(value) && Math.abs(value) <= Integer.MAX_VALUE) {
+      return (int) value;
     }
-    return (int) value;
+    boolean large = Math.abs(value) > Integer.MAX_VALUE;
+    report(
+        argumentPlace(i),
+        "expected a whole number"
+            + (large ? " up to " + Integer.MAX_VALUE : "")
+            + ", but found "
+            + SourceText.quote(argument(i)));
+    return 0;
   }
 
   /**

@@ -105,6 +105,9 @@ final class Cs315Reader {
                   + Suggestion.hintOrList(command, ARGUMENTS.keySet()));
       return false;
     }
+    if (command.equals("Material")) {
+      material = Material.WHITE; // what follows has a material, even if this one cannot be read
+    }
     if (line.arguments() != arguments) {
       String takes =
           arguments == 0 ? "no values" : arguments + (arguments == 1 ? " value" : " values");
@@ -147,9 +150,7 @@ final class Cs315Reader {
                     about(0, 0, 1, v.z()).then(about(0, 1, 0, v.y())).then(about(1, 0, 0, v.x()));
               };
           Transform next = map.then(matrix);
-          if (!TransformReader.isUsable(next)) {
-            throw new ArithmeticException("the transforms up to here leave the range of numbers");
-          }
+          TransformReader.requireUsable(next);
           matrix = next;
         });
   }
@@ -159,7 +160,6 @@ final class Cs315Reader {
   }
 
   private void setMaterial(Cs315Line line) {
-    material = Material.WHITE;
     Rgb ambient = line.color(0);
     Rgb diffuse = line.color(3);
     Rgb specular = line.color(6);

@@ -28,8 +28,7 @@ final class Cs315Settings {
     Cs315Line first = lines.putIfAbsent(line.command(), line);
     if (first != null) {
       problems.report(line.place(), line.command() + " is already given at line " + first.line());
-    }
-    if (line.command().equals("ShadowBias")) {
+    } else if (line.command().equals("ShadowBias")) {
       line.number(0);
       notes.report(
           line.place(), "ShadowBias " + line.argument(0) + " is not used: Glint needs none");

@@ -22,6 +22,7 @@ final class Fields {
   private final Map<String, YamlNode> written = new HashMap<>();
   private final Set<String> misspelt = new HashSet<>();
   private final long reportsBefore;
+  private boolean usesLater;
 
   /** Reports a node that is no map, and keys that are unknown, unsupported or given twice. */
   Fields(YamlNode node, Section section, Values values) {
@@ -75,6 +76,7 @@ final class Fields {
   private void reportUnknown(String key, YamlNode place) {
     String quoted = SourceText.quote(key);
     if (section.later().contains(key)) {
+      usesLater = true;
       values.report(
           place,
           quoted + " is part of the scene format, but this version of Glint cannot render it yet");
@@ -117,7 +119,8 @@ final class Fields {
   /** Returns the value of a key, or null with a problem reported if it is not written. */
   YamlNode need(String key) {
     YamlNode value = get(key);
-    if (value == null && node instanceof Mapping && !misspelt.contains(key)) {
+    boolean replaced = usesLater || misspelt.contains(key);
+    if (value == null && node instanceof Mapping && !replaced) {
       values.report(node, section.title() + " needs '" + key + "'");
     }
     return value;

@@ -12,6 +12,8 @@ final class Problems {
   /** How many problems are told; beyond, only their number is. */
   static final int MOST = 100;
 
+  private static final int LONGEST = 400;
+
   private final String file;
   private final Set<Problem> problems = new LinkedHashSet<>();
   private long reports;
@@ -21,7 +23,11 @@ final class Problems {
   }
 
   void report(Place place, String message) {
-    problems.add(new Problem(file, place.line(), place.column(), message));
+    String line = message.replaceAll("\\p{Cntrl}+", " ");
+    boolean whole = line.length() <= LONGEST;
+    problems.add(
+        new Problem(
+            file, place.line(), place.column(), whole ? line : line.substring(0, LONGEST) + "…"));
     reports++;
   }
 
@@ -35,10 +41,15 @@ final class Problems {
     return reports;
   }
 
+  /** What concerns the file as a whole comes last. */
+  private static int order(Problem problem) {
+    return problem.line() == 0 ? Integer.MAX_VALUE : problem.line();
+  }
+
   /** Returns the problems in file order, at most {@link #MOST} of them and a closing line. */
   List<Problem> inFileOrder() {
     List<Problem> sorted = new ArrayList<>(problems);
-    sorted.sort(Comparator.comparingInt(Problem::line).thenComparingInt(Problem::column));
+    sorted.sort(Comparator.comparingInt(Problems::order).thenComparingInt(Problem::column));
     if (sorted.size() <= MOST) {
       return sorted;
     }

@@ -16,16 +16,16 @@ final class Suggestion {
     return nearest == null ? "" : "; did you mean '" + nearest + "'?";
   }
 
-  /** Returns the hint, or else the list of what there is, as {@code "; possible are a, b"}. */
+  /** Returns the hint, or else the list of what there is, as {@code "; known here: a, b"}. */
   static String hintOrList(String word, Collection<String> known) {
     String hint = hint(word, known);
     if (!hint.isEmpty() || known.isEmpty()) {
       return hint;
     }
     int shown = 0;
-    StringBuilder list = new StringBuilder("; possible ").append(known.size() == 1 ? "is" : "are");
+    StringBuilder list = new StringBuilder("; known here:");
     for (String each : known) {
-      if (shown == 12) {
+      if (shown == 15) {
         list.append(" and ").append(known.size() - shown).append(" more");
         break;
       }

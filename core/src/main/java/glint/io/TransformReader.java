@@ -8,6 +8,7 @@ import glint.math.Quaternion;
 import glint.math.Transform;
 import glint.math.Vector3d;
 import java.util.List;
+import java.util.function.Supplier;
 
 /** Reads where a surface stands: scale, rotate, translate in this order, or a list in its own. */
 final class TransformReader {
@@ -46,7 +47,7 @@ final class TransformReader {
 
   private Transform append(Transform product, String name, YamlNode node) {
     long before = values.problems().reports();
-    Transform step =
+    Supplier<Transform> step =
         switch (name) {
           case "scale" -> scale(node);
           case "rotate" -> rotate(node);
@@ -55,55 +56,58 @@ final class TransformReader {
     if (values.problems().reports() != before) {
       return product;
     }
-    Transform next = product.then(step);
-    if (!isUsable(next)) {
-      values.report(node, "the transforms up to this one leave the range of numbers");
-      return product;
-    }
-    return next;
+    Transform next =
+        values.checked(
+            node,
+            () -> {
+              Transform all = product.then(step.get());
+              requireUsable(all);
+              return all;
+            });
+    return next == null ? product : next;
   }
 
-  private Transform scale(YamlNode node) {
+  private Supplier<Transform> scale(YamlNode node) {
     boolean one = node instanceof Scalar;
     double factor = one ? values.number(node) : 0;
     Vector3d factors = one ? new Vector3d(factor, factor, factor) : values.vector(node);
-    return values.checked(
-        node,
-        () -> {
-          Check.finite("scale", factors);
-          return Transform.scale(factors);
-        });
+    return () -> {
+      Check.finite("scale", factors);
+      return Transform.scale(factors);
+    };
   }
 
-  private Transform rotate(YamlNode node) {
+  private Supplier<Transform> rotate(YamlNode node) {
     if (!(node instanceof Mapping)) {
       List<Double> q = values.numbers(node, 4, "[w, x, y, z] or {axis, degrees}");
-      return values.checked(
-          node, () -> Transform.rotate(new Quaternion(q.get(0), q.get(1), q.get(2), q.get(3))));
+      return () -> Transform.rotate(new Quaternion(q.get(0), q.get(1), q.get(2), q.get(3)));
     }
     Fields f = new Fields(node, Section.ROTATION, values);
     Vector3d axis = f.vector("axis");
     double degrees = f.number("degrees");
-    return f.build(
-        () -> {
-          Check.direction("axis", axis);
-          return Transform.rotate(Quaternion.aboutAxis(axis, degrees));
-        });
+    return () -> {
+      Check.direction("axis", axis);
+      return Transform.rotate(Quaternion.aboutAxis(axis, degrees));
+    };
   }
 
-  private Transform translate(YamlNode node) {
+  private Supplier<Transform> translate(YamlNode node) {
     Vector3d offset = values.vector(node);
-    return values.checked(
-        node,
-        () -> {
-          Check.finite("translate", offset);
-          return Transform.translate(offset);
-        });
+    return () -> {
+      Check.finite("translate", offset);
+      return Transform.translate(offset);
+    };
   }
 
-  /** Returns whether a transform and its inverse kept finite numbers when they were multiplied. */
-  static boolean isUsable(Transform transform) {
-    return isFinite(transform.rows()) && isFinite(transform.inverted().rows());
+  /**
+   * Checks that a product of transforms and its inverse kept finite numbers.
+   *
+   * @throws ArithmeticException if they did not
+   */
+  static void requireUsable(Transform product) {
+    if (!isFinite(product.rows()) || !isFinite(product.inverted().rows())) {
+      throw new ArithmeticException("the transforms up to here leave the range of numbers");
+    }
   }
 
   private static boolean isFinite(double[] rows) {

@@ -65,7 +65,8 @@ final class Values {
     }
     double value = scalar.number();
     if (Double.isNaN(value)) {
-      report(node, scalar.text() + " is not a finite number that fits a double");
+      boolean named = Character.isLetter(scalar.text().charAt(scalar.text().length() - 1));
+      report(node, (named ? "not a finite number: " : "too large a number: ") + scalar.text());
       return 0;
     }
     return value;
@@ -80,11 +81,12 @@ final class Values {
       return 0;
     }
     double value = scalar.number();
-    if (value != Math.rint(value) || !(Math.abs(value) <= Integer.MAX_VALUE)) {
-      wrong(node, "a whole number of at most " + Integer.MAX_VALUE);
-      return 0;
+    if (value == Math.rint(value) && Math.abs(value) <= Integer.MAX_VALUE) {
+      return (int) value;
     }
-    return (int) value;
+    boolean large = Math.abs(value) > Integer.MAX_VALUE;
+    wrong(node, "a whole number" + (large ? " up to " + Integer.MAX_VALUE : ""));
+    return 0;
   }
 
   boolean flag(YamlNode node) {

@@ -15,7 +15,7 @@ final class YamlErrors {
   private static final Map<Pattern, String> WORDS = new LinkedHashMap<>();
 
   static {
-    say("found character '(?:\\t\\(TAB\\)| )'.*", "a tab cannot stand here; use spaces");
+    say("found character '(?:\\\\t\\(TAB\\)| )'.*", "a tab cannot stand here; use spaces");
     say("found character '(.+)' that.*", "text that begins with '$1' needs quotes");
     say("found unexpected end of stream", "these quotes are never closed");
     say(
@@ -36,10 +36,12 @@ final class YamlErrors {
     String said = String.valueOf(e.getProblem());
     boolean unclosed = said.startsWith("found unexpected end of stream");
     Place place = place(unclosed ? e.getContextMark() : e.getProblemMark());
+    boolean flow = String.valueOf(e.getContext()).contains("flow") && said.startsWith("expected '");
     for (Map.Entry<Pattern, String> each : WORDS.entrySet()) {
       Matcher matcher = each.getKey().matcher(said);
       if (matcher.matches()) {
-        problems.report(place, matcher.replaceFirst(each.getValue()));
+        String where = flow ? "; its bracket was opened at " + place(e.getContextMark()) : "";
+        problems.report(place, matcher.replaceFirst(each.getValue()) + where);
         return;
       }
     }
