@@ -66,6 +66,19 @@ public final class Hit {
     }
   }
 
+  /** Sets the normal to the unit vector of a direction of any length but zero. */
+  void setNormal(double x, double y, double z) {
+    // Divide by the largest component first, so that no square overflows or vanishes.
+    double scale = 1 / Math.max(Math.abs(x), Math.max(Math.abs(y), Math.abs(z)));
+    double sx = x * scale;
+    double sy = y * scale;
+    double sz = z * scale;
+    double inverse = 1 / Math.sqrt(sx * sx + sy * sy + sz * sz);
+    nx = sx * inverse;
+    ny = sy * inverse;
+    nz = sz * inverse;
+  }
+
   /** Turns the normal to the other side. */
   void reverse() {
     nx = -nx;

@@ -2,7 +2,6 @@ package glint.geometry;
 
 import glint.math.Rounding;
 import glint.math.Transform;
-import glint.math.Vector3d;
 
 /**
  * The ray and the hit of a surface that cannot be carried into the world, such as an ellipsoid.
@@ -78,10 +77,7 @@ final class TransformedKernel {
     double nx = data[at] * objectNx + data[at + 4] * objectNy + data[at + 8] * objectNz;
     double ny = data[at + 1] * objectNx + data[at + 5] * objectNy + data[at + 9] * objectNz;
     double nz = data[at + 2] * objectNx + data[at + 6] * objectNy + data[at + 10] * objectNz;
-    Vector3d unit = new Vector3d(nx, ny, nz).normalized();
-    hit.nx = unit.x();
-    hit.ny = unit.y();
-    hit.nz = unit.z();
+    hit.setNormal(nx, ny, nz);
     double stretch = nx * hit.nx + ny * hit.ny + nz * hit.nz;
     double there =
         gamma

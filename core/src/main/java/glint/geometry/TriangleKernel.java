@@ -94,17 +94,7 @@ final class TriangleKernel {
     double fx = data[at + 6] - data[at];
     double fy = data[at + 7] - data[at + 1];
     double fz = data[at + 8] - data[at + 2];
-    double nx = ey * fz - ez * fy;
-    double ny = ez * fx - ex * fz;
-    double nz = ex * fy - ey * fx;
-    double scale = 1 / max(nx, ny, nz);
-    nx *= scale;
-    ny *= scale;
-    nz *= scale;
-    double inverse = 1 / Math.sqrt(nx * nx + ny * ny + nz * nz);
-    hit.nx = nx * inverse;
-    hit.ny = ny * inverse;
-    hit.nz = nz * inverse;
+    hit.setNormal(ey * fz - ez * fy, ez * fx - ex * fz, ex * fy - ey * fx);
     double size =
         max(data[at], data[at + 3], data[at + 6])
             + max(data[at + 1], data[at + 4], data[at + 7])

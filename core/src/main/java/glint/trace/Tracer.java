@@ -7,6 +7,7 @@ import glint.geometry.Ray;
 import glint.light.Illumination;
 import glint.light.LightSample;
 import glint.optics.Highlight;
+import glint.optics.Lobe;
 import glint.optics.Material;
 import glint.scene.Background;
 import glint.scene.Prepared;
@@ -206,7 +207,7 @@ public final class Tracer {
       double mz = 2 * cos * nz - light.lz;
       angle = -(mx * ray.dx + my * ray.dy + mz * ray.dz);
     }
-    return StrictMath.pow(Math.min(Math.max(angle, 0), 1), shininess);
+    return Lobe.of(Math.min(Math.max(angle, 0), 1), shininess);
   }
 
   /** Sets the ray to its mirror image about the normal, from the hit. */

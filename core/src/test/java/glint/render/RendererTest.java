@@ -45,7 +45,7 @@ class RendererTest {
   private static final int HEIGHT = 61;
 
   /** One of every surface, mirrors and lights, in a world that may be scaled and mirrored. */
-  private record World(double scale, boolean mirrored) {
+  record World(double scale, boolean mirrored) {
 
     Vector3d v(double x, double y, double z) {
       return new Vector3d(mirrored ? -x * scale : x * scale, y * scale, z * scale);
