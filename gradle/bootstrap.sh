@@ -18,7 +18,8 @@ bootstrap_gradle() {
     setup=$APP_HOME/tools/registry-only/setup.sh
     if ls "$dists"/*/*.zip.ok >/dev/null 2>&1; then
         # That tool made it, in another clone perhaps: then it also tells this clone where the Android SDK is.
-        if ls "$dists"/*/*/registry-only >/dev/null 2>&1 && [ ! -f "$APP_HOME/local.properties" ]; then
+        if ls "$dists"/*/*/registry-only >/dev/null 2>&1 && [ ! -f "$APP_HOME/local.properties" ] &&
+            [ -z "${ANDROID_HOME:-${ANDROID_SDK_ROOT:-}}" ]; then
             "$setup" || warn "gradlew: $setup failed; the Android app is left out"
         fi
         return

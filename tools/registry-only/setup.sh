@@ -130,7 +130,12 @@ fi
 # An SDK that the user has is left alone; aapt2 is needed either way, as it is on Google's Maven alone.
 if [ ! -d "${ANDROID_HOME:-${ANDROID_SDK_ROOT:-}}" ] &&
     [ ! -d "$(sed -n 's/^sdk\.dir=//p' "$root/local.properties" 2>/dev/null)" ]; then
-    echo "sdk.dir=$sdk" | write "$root/local.properties"
+    if "$aapt2" version >/dev/null 2>&1; then
+        echo "sdk.dir=$sdk"
+    else
+        say "its aapt2 does not run on $(uname -m): the Android app is left out"
+        echo '# no SDK: the aapt2 of tools/registry-only does not run on this machine'
+    fi | write "$root/local.properties"
 fi
 touch "$home/gradle.properties"
 {
