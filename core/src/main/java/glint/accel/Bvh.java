@@ -1,6 +1,7 @@
 package glint.accel;
 
 import glint.geometry.Primitives;
+import java.util.Arrays;
 
 /**
  * A bounding volume hierarchy over the bounded primitives of a scene, in flat arrays; immutable.
@@ -71,9 +72,65 @@ public final class Bvh {
     return primitives;
   }
 
+  /** Returns the largest absolute coordinate of the bounded primitives' boxes. */
+  public double size() {
+    return size;
+  }
+
   /** Returns the number of nodes. */
   public int nodes() {
     return children.length / 2;
+  }
+
+  /** Returns the longest path from the root to a leaf, counted in nodes. */
+  public int depth() {
+    return depth(root);
+  }
+
+  private int depth(int node) {
+    return node < 0 ? 0 : 1 + Math.max(depth(children[2 * node]), depth(children[2 * node + 1]));
+  }
+
+  /**
+   * Returns the least distance, over all nodes, from a child's box to the boxes of what it holds;
+   * infinite if there is no node.
+   */
+  public double tightestMargin() {
+    double[] box = new double[6];
+    return root < 0 ? Double.POSITIVE_INFINITY : margin(root, box);
+  }
+
+  /** The least margin at and below a node, and the box of all primitives below it. */
+  private double margin(int child, double[] held) {
+    Arrays.fill(held, 0, 3, Double.POSITIVE_INFINITY);
+    Arrays.fill(held, 3, 6, Double.NEGATIVE_INFINITY);
+    double least = Double.POSITIVE_INFINITY;
+    double[] one = new double[6];
+    if (child < 0) {
+      int slot = primitives.unbounded() + leafStart(child);
+      for (int i = 0; i < leafSize(child); i++) {
+        primitives.bounds(slot + i, one);
+        merge(held, one);
+      }
+      return least;
+    }
+    for (int side = 0; side < 2; side++) {
+      least = Math.min(least, margin(children[2 * child + side], one));
+      merge(held, one);
+      for (int axis = 0; axis < 3; axis++) {
+        int at = 12 * child + 6 * side + axis;
+        double room = Math.min(one[axis] - boxes[at], boxes[at + 3] - one[3 + axis]);
+        least = Math.min(least, room);
+      }
+    }
+    return least;
+  }
+
+  private static void merge(double[] box, double[] other) {
+    for (int axis = 0; axis < 3; axis++) {
+      box[axis] = Math.min(box[axis], other[axis]);
+      box[3 + axis] = Math.max(box[3 + axis], other[3 + axis]);
+    }
   }
 
   /** Returns a leaf of {@code size} primitives from {@code start} on. */

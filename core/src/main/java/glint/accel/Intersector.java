@@ -25,11 +25,16 @@ public final class Intersector {
    */
   private static final double SLACK = 32 * 0x1p-53;
 
+  /** In place of a node: nothing. No leaf is packed like that. */
+  private static final int END = Integer.MIN_VALUE;
+
   private final Primitives primitives;
   private final Bvh tree;
   private final Ray local = new Ray();
   private final int[] stack = new int[Bvh.MAX_DEPTH];
   private final double[] stackNear = new double[Bvh.MAX_DEPTH];
+
+  private long nodesVisited;
 
   // The ray as slabs see it: reciprocal direction, and origins moved apart for near and far planes.
   private double inverseX;
@@ -70,6 +75,11 @@ public final class Intersector {
   /** Fills in point, normal and surface of a hit that was found with this ray. */
   public void resolve(Ray ray, Hit hit) {
     primitives.resolve(ray, hit, local);
+  }
+
+  /** Returns how many nodes of the tree were looked at so far. */
+  public long nodesVisited() {
+    return nodesVisited;
   }
 
   private void search(Ray ray, Hit hit, boolean stopAtFirst) {
@@ -130,8 +140,9 @@ public final class Intersector {
     double start = ray.tMin;
     int top = 0;
     int node = tree.root;
-    while (true) {
+    while (node != END) {
       while (node >= 0) {
+        nodesVisited++;
         int at = 12 * node;
         double near0 = enter(boxes, at + lowX, at + lowY, at + lowZ, start);
         double far0 = leave(boxes, at + highX, at + highY, at + highZ, hit.t);
@@ -139,39 +150,36 @@ public final class Intersector {
         double far1 = leave(boxes, at + 6 + highX, at + 6 + highY, at + 6 + highZ, hit.t);
         int first = children[2 * node];
         int second = children[2 * node + 1];
-        if (near0 <= far0) {
+        if (near0 <= far0 && near1 <= far1) {
+          // Visit the nearer child first, the other one later.
+          boolean swap = near1 < near0;
+          node = swap ? second : first;
+          stack[top] = swap ? first : second;
+          stackNear[top++] = swap ? near0 : near1;
+        } else if (near0 <= far0) {
           node = first;
-          if (near1 <= far1) {
-            // Visit the nearer child first, the other one later.
-            boolean swap = near1 < near0;
-            node = swap ? second : first;
-            stack[top] = swap ? first : second;
-            stackNear[top++] = swap ? near0 : near1;
-          }
         } else if (near1 <= far1) {
           node = second;
         } else {
-          do {
-            if (top == 0) {
-              return;
-            }
-            node = stack[--top];
-          } while (stackNear[top] > hit.t);
+          node = END;
+          break;
         }
       }
-      int slot = bounded + Bvh.leafStart(node);
-      for (int end = slot + Bvh.leafSize(node); slot < end; slot++) {
-        primitives.intersect(slot, ray, hit, local);
-      }
-      if (stopAtFirst && hit.found()) {
-        return;
-      }
-      do {
-        if (top == 0) {
+      if (node != END) {
+        int slot = bounded + Bvh.leafStart(node);
+        for (int end = slot + Bvh.leafSize(node); slot < end; slot++) {
+          primitives.intersect(slot, ray, hit, local);
+        }
+        if (stopAtFirst && hit.found()) {
           return;
         }
-        node = stack[--top];
-      } while (stackNear[top] > hit.t);
+      }
+      // Take up the next child that begins before the closest hit.
+      node = END;
+      while (top > 0 && node == END) {
+        top--;
+        node = stackNear[top] <= hit.t ? stack[top] : END;
+      }
     }
   }
 

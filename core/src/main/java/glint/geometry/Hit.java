@@ -45,9 +45,9 @@ public final class Hit {
   /** How far along the normal a point is certain to lie off the surface, in scene units. */
   double offset;
 
-  /** Begins a search for hits up to and including {@code tMax}. */
+  /** Begins a search for hits up to and including {@code tMax}; an infinite t is never a hit. */
   public void begin(double tMax) {
-    t = tMax;
+    t = Math.min(tMax, Double.MAX_VALUE);
     primitive = NONE;
   }
 

@@ -35,6 +35,7 @@ public final class Primitives {
   private final double[] data;
   private final int unbounded;
   private final double conditioning;
+  private final int degenerate;
 
   private Primitives(Builder b, int unbounded) {
     kind = Arrays.copyOf(b.kind, b.count);
@@ -44,6 +45,7 @@ public final class Primitives {
     data = Arrays.copyOf(b.data, b.used);
     this.unbounded = unbounded;
     conditioning = b.conditioning;
+    degenerate = b.degenerate;
   }
 
   /** Returns the number of primitives. */
@@ -54,6 +56,11 @@ public final class Primitives {
   /** Returns how many primitives have no bounds; they take the first slots. */
   public int unbounded() {
     return unbounded;
+  }
+
+  /** Returns how many triangles were left out because they have no area. */
+  public int degenerate() {
+    return degenerate;
   }
 
   /**
@@ -68,6 +75,7 @@ public final class Primitives {
     Builder b = new Builder();
     b.reserve(kind.length, data.length);
     b.conditioning = conditioning;
+    b.degenerate = degenerate;
     for (int slot = 0; slot < kind.length; slot++) {
       int from = slot < unbounded ? slot : unbounded + order[slot - unbounded];
       b.put(kind[from], data, start[from], sizeOf(kind[from]), number[from], surface[from]);
@@ -181,6 +189,8 @@ public final class Primitives {
     private double[] data = new double[256];
     private int count;
     private int used;
+    private int next;
+    private int degenerate;
     private double conditioning = 1;
 
     /** Adds a surface, carried into the world by {@code toWorld}, under a surface number. */
@@ -213,6 +223,7 @@ public final class Primitives {
       Builder sorted = new Builder();
       sorted.reserve(count, used);
       sorted.conditioning = conditioning;
+      sorted.degenerate = degenerate;
       int planes = 0;
       for (boolean bounded : new boolean[] {false, true}) {
         for (int i = 0; i < count; i++) {
@@ -310,8 +321,15 @@ public final class Primitives {
       put((byte) (k + TRANSFORMED), TransformedKernel.pack(toWorld, own), number);
     }
 
+    /** Adds a primitive under the next number, unless it is a triangle that is never hit. */
     private void put(byte k, double[] numbers, int ofSurface) {
-      put(k, numbers, 0, numbers.length, count, ofSurface);
+      int id = next++;
+      boolean triangle = k == TRIANGLE || k == REVERSED_TRIANGLE;
+      if (triangle && !TriangleKernel.hasArea(numbers)) {
+        degenerate++;
+      } else {
+        put(k, numbers, 0, numbers.length, id, ofSurface);
+      }
     }
 
     private void put(byte k, double[] from, int at, int size, int id, int ofSurface) {

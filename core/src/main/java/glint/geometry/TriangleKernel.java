@@ -88,18 +88,29 @@ final class TriangleKernel {
     hit.px = u * data[at] + v * data[at + 3] + w * data[at + 6];
     hit.py = u * data[at + 1] + v * data[at + 4] + w * data[at + 7];
     hit.pz = u * data[at + 2] + v * data[at + 5] + w * data[at + 8];
-    double ex = data[at + 3] - data[at];
-    double ey = data[at + 4] - data[at + 1];
-    double ez = data[at + 5] - data[at + 2];
-    double fx = data[at + 6] - data[at];
-    double fy = data[at + 7] - data[at + 1];
-    double fz = data[at + 8] - data[at + 2];
-    hit.setNormal(ey * fz - ez * fy, ez * fx - ex * fz, ex * fy - ey * fx);
+    hit.setNormal(normal(data, at, 0), normal(data, at, 1), normal(data, at, 2));
     double size =
         max(data[at], data[at + 3], data[at + 6])
             + max(data[at + 1], data[at + 4], data[at + 7])
             + max(data[at + 2], data[at + 5], data[at + 8]);
     hit.offset = 4 * 0x1p-52 * size;
+  }
+
+  /** Returns whether the triangle has a normal that a double can hold; else it is never hit. */
+  static boolean hasArea(double[] nine) {
+    double largest = max(normal(nine, 0, 0), normal(nine, 0, 1), normal(nine, 0, 2));
+    return largest >= Double.MIN_NORMAL;
+  }
+
+  /** One component of the cross product of the edges from the first corner. */
+  private static double normal(double[] data, int at, int axis) {
+    int i = at + (axis + 1) % 3;
+    int j = at + (axis + 2) % 3;
+    double ei = data[i + 3] - data[i];
+    double ej = data[j + 3] - data[j];
+    double fi = data[i + 6] - data[i];
+    double fj = data[j + 6] - data[j];
+    return ei * fj - ej * fi;
   }
 
   private static double max(double a, double b, double c) {
