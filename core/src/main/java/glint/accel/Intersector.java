@@ -106,7 +106,7 @@ public final class Intersector {
   private void prepare(Ray ray) {
     double reach =
         tree.size + Math.max(Math.abs(ray.ox), Math.max(Math.abs(ray.oy), Math.abs(ray.oz)));
-    reach += 0 * (ray.dx + ray.dy + ray.dz); // a ray that is not finite fails every comparison
+    reach += 0 * (reach + ray.dx + ray.dy + ray.dz); // NaN, which no box is near, if not finite
     double slack = SLACK * primitives.conditioning() * reach;
     double dx = steep(ray.dx);
     double dy = steep(ray.dy);
