@@ -5,6 +5,8 @@ import java.io.FileOutputStream;
 import java.io.OutputStreamWriter;
 import java.io.PrintWriter;
 import java.nio.charset.StandardCharsets;
+import java.nio.file.InvalidPathException;
+import java.nio.file.Path;
 import java.util.Locale;
 import java.util.concurrent.Callable;
 import picocli.AutoComplete.GenerateCompletion;
@@ -14,6 +16,7 @@ import picocli.CommandLine.HelpCommand;
 import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.ParameterException;
 import picocli.CommandLine.Spec;
+import picocli.CommandLine.TypeConversionException;
 import picocli.CommandLine.UnmatchedArgumentException;
 
 /** The {@code glint} command. */
@@ -49,6 +52,7 @@ public final class Main implements Callable<Integer> {
   /** Returns the command, ready to execute; its output goes to the standard streams. */
   static CommandLine commandLine() {
     CommandLine glint = new CommandLine(new Main());
+    glint.registerConverter(Path.class, Main::path);
     glint.setParameterExceptionHandler((e, args) -> explainUsage(e));
     glint.setExecutionExceptionHandler((e, command, result) -> explainFailure(e, command.getErr()));
     return glint;
@@ -59,6 +63,17 @@ public final class Main implements Callable<Integer> {
   public Integer call() {
     spec.commandLine().usage(spec.commandLine().getErr());
     return ExitCode.USAGE;
+  }
+
+  private static Path path(String text) {
+    if (text.isEmpty()) {
+      throw new TypeConversionException("the name of a file or folder is empty");
+    }
+    try {
+      return Path.of(text);
+    } catch (InvalidPathException e) {
+      throw new TypeConversionException(Reasons.of(e));
+    }
   }
 
   private static int explainUsage(ParameterException e) {

@@ -5,7 +5,9 @@ import java.io.PrintWriter;
 import java.nio.file.AccessDeniedException;
 import java.nio.file.FileAlreadyExistsException;
 import java.nio.file.FileSystemException;
+import java.nio.file.InvalidPathException;
 import java.nio.file.NoSuchFileException;
+import javax.imageio.IIOException;
 
 /** Says in one line for people what went wrong. */
 final class Reasons {
@@ -15,7 +17,7 @@ final class Reasons {
   /** Returns the reason of a failure, in one line, without the file's name. */
   static String of(Throwable failure) {
     Throwable cause = failure;
-    while (cause instanceof IllegalStateException && cause.getCause() != null) {
+    while (isWrapper(cause) && cause.getCause() != null) {
       cause = cause.getCause();
     }
     String reason = reason(cause);
@@ -37,6 +39,11 @@ final class Reasons {
     }
   }
 
+  /** Of a tile's failure the renderer makes one of its own, and ImageIO of a full disk. */
+  private static boolean isWrapper(Throwable failure) {
+    return failure instanceof IllegalStateException || failure instanceof IIOException;
+  }
+
   private static String reason(Throwable cause) {
     if (cause instanceof NoSuchFileException) {
       return "no such file or folder";
@@ -46,6 +53,8 @@ final class Reasons {
       return "a file of this name is in the way";
     } else if (cause instanceof FileSystemException e && e.getReason() != null) {
       return e.getReason();
+    } else if (cause instanceof InvalidPathException e) {
+      return "'" + e.getInput() + "' cannot be a file's name here; LC_ALL=C.UTF-8 may help";
     } else if (cause instanceof OutOfMemoryError) {
       return "out of memory; " + Memory.advice();
     } else if (cause instanceof StackOverflowError) {

@@ -198,6 +198,16 @@ class BadInputTest {
   }
 
   @Test
+  void anEmptyNameIsNoFile() {
+    for (String[] words :
+        List.of(new String[] {"check", ""}, new String[] {"render", "a", "--out", ""})) {
+      Run run = Run.of((Object[]) words);
+      assertEquals(2, run.exitCode());
+      assertTrue(run.err().contains("the name of a file or folder is empty"), run.err());
+    }
+  }
+
+  @Test
   void whereNothingCanBeWrittenIsSaidBeforeRendering() throws IOException {
     Path good = Scenes.write(dir.resolve("good.yaml"), "good");
     Path file = Files.writeString(dir.resolve("file"), "x");

@@ -46,15 +46,15 @@ class InterruptTest {
   void anInterruptedBatchContinuesToTheSameFiles(String signal, int exitCode) throws Exception {
     assumeTrue(!signal.equals("INT") || !RESET.isEmpty(), "the build may ignore SIGINT");
     Path whole = dir.resolve("whole");
-    assertEquals(0, start(whole).waitFor());
+    assertEquals(0, start(whole, "--samples", "32").waitFor());
 
     Path out = dir.resolve("out");
-    Process process = start(out);
+    Process process = start(out, "--samples", "32");
     while (Run.list(out).stream().filter(name -> name.endsWith(".png")).count() < 2) {
       assertTrue(process.isAlive(), "the batch ended early");
       Thread.sleep(1);
     }
-    assertTrue(succeeds("sh", "-c", "kill -" + signal + " " + process.pid()));
+    assertTrue(kill(signal, process));
     assertEquals(exitCode, process.waitFor());
 
     int finished = assertWhole(out, whole);
@@ -67,10 +67,27 @@ class InterruptTest {
     assertTrue(stats.get("interrupted").getAsBoolean());
     assertEquals(finished, stats.getAsJsonArray("scenes").size());
 
-    Process rest = start(out, "--resume");
+    Process rest = start(out, "--samples", "32", "--resume");
     assertEquals(0, rest.waitFor());
     assertEquals(finished, output(rest).lines().filter(l -> l.contains(": kept ")).count());
     assertEquals(Run.digests(whole), Run.digests(out));
+  }
+
+  @Test
+  void aLongSceneIsGivenUpInTheMiddle() throws Exception {
+    Path out = dir.resolve("out");
+    Process process = start(out, "--samples", "10000000");
+    while (!Files.exists(out)) {
+      assertTrue(process.isAlive(), "the batch ended early");
+      Thread.sleep(1);
+    }
+    // The folder is made just before the first ray; a longer wait could not make this test fail
+    Thread.sleep(1000);
+    assertTrue(kill("TERM", process));
+    assertEquals(143, process.waitFor());
+    assertEquals(List.of(), Run.list(out));
+    assertTrue(output(process).startsWith("interrupted: 0 of " + SCENES), "gave up waiting");
+    assertTrue(Files.exists(stats(out)));
   }
 
   @Test
@@ -93,7 +110,7 @@ class InterruptTest {
   private Process start(Path out, String... more) throws IOException {
     List<String> words = new ArrayList<>(List.of("render", file.toString(), "--out"));
     words.addAll(List.of(out.toString(), "--format", "both", "--aov", "normal"));
-    words.addAll(List.of("--size", "160x120", "--samples", "32"));
+    words.addAll(List.of("--size", "160x120"));
     words.addAll(List.of("--stats", stats(out).toString()));
     words.addAll(List.of(more));
     return glint(words.toArray(String[]::new));
@@ -113,6 +130,10 @@ class InterruptTest {
 
   private static String output(Process process) throws IOException {
     return new String(process.getInputStream().readAllBytes(), StandardCharsets.UTF_8);
+  }
+
+  private static boolean kill(String signal, Process process) {
+    return succeeds("sh", "-c", "kill -" + signal + " " + process.pid());
   }
 
   private static List<String> resetSignals() {
