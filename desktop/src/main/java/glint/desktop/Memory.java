@@ -30,15 +30,20 @@ final class Memory {
               width,
               height,
               extraImages == 0 ? "" : " and its " + extraImages + " extra images",
-              mebibytes(needed),
-              mebibytes(available),
+              roundedUp(needed),
+              available >> 20,
               advice(needed)));
     }
   }
 
-  /** Says how to go on when all memory is used up. */
-  static String advice() {
-    return advice(Runtime.getRuntime().maxMemory());
+  /** Says, when all memory is used up, how much that was and how to go on. */
+  static String usedUp() {
+    long available = Runtime.getRuntime().maxMemory();
+    return String.format(
+        Locale.ROOT,
+        "image and scene need more than the %d MiB of memory that Java may use; %s",
+        available >> 20,
+        advice(available));
   }
 
   private static String advice(long needed) {
@@ -46,7 +51,8 @@ final class Memory {
     return "make the image smaller (--size), or allow more: JAVA_OPTS=-Xmx" + gibibytes + "g";
   }
 
-  private static long mebibytes(long bytes) {
+  /** Returns mebibytes. */
+  private static long roundedUp(long bytes) {
     return (bytes >> 20) + 1;
   }
 }

@@ -1,5 +1,6 @@
 package glint.desktop;
 
+import java.io.EOFException;
 import java.io.IOException;
 import java.io.PrintWriter;
 import java.nio.file.AccessDeniedException;
@@ -55,8 +56,10 @@ final class Reasons {
       return e.getReason();
     } else if (cause instanceof InvalidPathException e) {
       return "'" + e.getInput() + "' cannot be a file's name here; LC_ALL=C.UTF-8 may help";
+    } else if (cause instanceof EOFException) {
+      return "ends too early";
     } else if (cause instanceof OutOfMemoryError) {
-      return "out of memory; " + Memory.advice();
+      return Memory.usedUp();
     } else if (cause instanceof StackOverflowError) {
       return "nested too deeply";
     }
