@@ -12,16 +12,25 @@ final class Problems {
   /** How many problems are told; beyond, only their number is. */
   static final int MOST = 100;
 
+  /** How many problems are looked for. */
+  static final int ENOUGH = 10_000;
+
   private static final int LONGEST = 400;
 
   private final String file;
   private final Set<Problem> problems = new LinkedHashSet<>();
   private long reports;
+  private int written;
 
   Problems(String file) {
     this.file = file;
   }
 
+  /**
+   * Reports a problem.
+   *
+   * @throws TooMany if there have been {@link #ENOUGH}: there is no use in reading on
+   */
   void report(Place place, String message) {
     String line = message.replaceAll("\\p{Cntrl}+", " ");
     boolean whole = line.length() <= LONGEST;
@@ -29,6 +38,10 @@ final class Problems {
         new Problem(
             file, place.line(), place.column(), whole ? line : line.substring(0, LONGEST) + "…"));
     reports++;
+    written++;
+    if (written == ENOUGH) {
+      throw new TooMany();
+    }
   }
 
   /** Counts a problem that was reported before and now concerns something else as well. */
@@ -55,7 +68,13 @@ final class Problems {
     }
     List<Problem> first = new ArrayList<>(sorted.subList(0, MOST));
     int more = sorted.size() - MOST;
-    first.add(new Problem(file, 0, 0, "and " + more + " more problems, not shown"));
+    String end = written == ENOUGH ? "; reading ended there" : "";
+    first.add(new Problem(file, 0, 0, "and " + more + " more problems, not shown" + end));
     return first;
+  }
+
+  /** Ends the reading of a file that is wrong in too many places. */
+  static final class TooMany extends RuntimeException {
+    private static final long serialVersionUID = 1;
   }
 }

@@ -15,7 +15,7 @@ public final class SceneFiles {
    * the CS 315 format if it ends in .txt.
    *
    * <p>Whatever is wrong with the content becomes a problem and never an exception; scenes without
-   * a problem are read all the same.
+   * a problem are read all the same, unless the file has 10 000 problems or more.
    *
    * @param in the bytes; left open
    * @param fileName the file's name or path, which also begins every message
@@ -38,9 +38,13 @@ public final class SceneFiles {
     if (text == null) {
       return nothing(problems);
     }
-    return yaml
-        ? new SceneFileReader(problems).read(text)
-        : new Cs315Reader(fileName, problems).read(text);
+    try {
+      return yaml
+          ? new SceneFileReader(problems).read(text)
+          : new Cs315Reader(fileName, problems).read(text);
+    } catch (Problems.TooMany e) {
+      return nothing(problems);
+    }
   }
 
   private static SceneFile nothing(Problems problems) {

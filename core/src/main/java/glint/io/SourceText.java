@@ -72,13 +72,18 @@ final class SourceText {
 
   /** Returns a person's text between quotes, in one line of bearable length. */
   static String quote(String text) {
-    StringBuilder line = new StringBuilder("'");
+    return "'" + shorten(text) + "'";
+  }
+
+  /** Returns a person's text in one line of bearable length. */
+  static String shorten(String text) {
+    StringBuilder line = new StringBuilder();
     int end = Math.min(text.length(), LONGEST_QUOTE);
     for (int i = 0; i < end; i++) {
       char c = text.charAt(i);
       line.append(Character.isISOControl(c) || c == '\u2028' || c == '\u2029' ? ' ' : c);
     }
-    return line.append(end < text.length() ? "…'" : "'").toString();
+    return line.append(end < text.length() ? "…" : "").toString();
   }
 
   private static int firstControlCharacter(String text) {

@@ -66,7 +66,10 @@ final class Values {
     double value = scalar.number();
     if (Double.isNaN(value)) {
       boolean named = Character.isLetter(scalar.text().charAt(scalar.text().length() - 1));
-      report(node, (named ? "not a finite number: " : "too large a number: ") + scalar.text());
+      report(
+          node,
+          (named ? "not a finite number: " : "too large a number: ")
+              + SourceText.shorten(scalar.text()));
       return 0;
     }
     return value;

@@ -28,13 +28,16 @@ import org.snakeyaml.engine.v2.exceptions.YamlEngineException;
 final class YamlComposer {
 
   /** The most values of a file, aliases written out. */
-  static final int MOST_NODES = 10_000_000;
+  static final int MOST_NODES = 5_000_000;
 
   /** The deepest nesting of lists and maps. */
   static final int DEEPEST = 64;
 
-  private static final LoadSettings SETTINGS =
-      LoadSettings.builder().setCodePointLimit(SourceText.MOST_BYTES).build();
+  /**
+   * Characters that the engine reads at a time. A token longer than that is copied once for each
+   * time, so that a small number would make the reading of a long token take quadratic time.
+   */
+  private static final int BUFFER = 1 << 20;
 
   /** An anchored node, null while it is still open, and its size with aliases written out. */
   private record Anchored(YamlNode node, long size) {}
@@ -45,7 +48,12 @@ final class YamlComposer {
   private long size;
 
   private YamlComposer(String text) {
-    events = new Parse(SETTINGS).parseString(text).iterator();
+    LoadSettings settings =
+        LoadSettings.builder()
+            .setBufferSize(Math.min(text.length() + 1, BUFFER))
+            .setCodePointLimit(SourceText.MOST_BYTES)
+            .build();
+    events = new Parse(settings).parseString(text).iterator();
   }
 
   /** Returns the root of the document, or null with a problem reported. */

@@ -27,6 +27,10 @@ final class YamlErrors {
     say("expected <block end>, but found '([\\]}])'", "this '$1' closes nothing");
     say("expected <block end>.*", "this does not fit the lines above: check the indentation");
     say("expected (',' or '.') ?, but got.*", "$1 is missing before this");
+    say(
+        "expected '<document start>'.*",
+        "this does not fit the lines above: check the indentation");
+    say("unexpected character found.*", "text that begins with '&' or '*' needs quotes");
     say("expected the node content, but found '(.+)'", "a value is missing before '$1'");
   }
 

@@ -60,7 +60,7 @@ sealed interface YamlNode {
         return "nothing";
       }
       if (isNumber()) {
-        return "the number " + text;
+        return "the number " + SourceText.shorten(text);
       }
       return isBoolean() ? text : "the text " + SourceText.quote(text);
     }

@@ -128,7 +128,7 @@ class ReaderFuzzTest {
   private static byte[] damage(String good, Random random) {
     StringBuilder text = new StringBuilder(good);
     int times = 1 + random.nextInt(4);
-    for (int i = 0; i < times; i++) {
+    for (int i = 0; i < times && text.length() > 0; i++) {
       int from = random.nextInt(text.length());
       int to = Math.min(text.length(), from + 1 + random.nextInt(12));
       switch (random.nextInt(6)) {
@@ -141,7 +141,7 @@ class ReaderFuzzTest {
       }
     }
     byte[] bytes = text.toString().getBytes(StandardCharsets.UTF_8);
-    if (random.nextInt(20) == 0) {
+    if (random.nextInt(20) == 0 && bytes.length > 0) {
       bytes[random.nextInt(bytes.length)] = (byte) random.nextInt(256);
     }
     return bytes;

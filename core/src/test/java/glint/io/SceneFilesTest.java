@@ -142,6 +142,34 @@ class SceneFilesTest {
   }
 
   @Test
+  void aFileOfErrorsIsNotReadToItsEnd() {
+    byte[] text = utf8(CS315 + "Sphere 0 0 0 x\n".repeat(20_000));
+    List<String> problems = problems(text, "a.txt");
+    assertEquals(101, problems.size());
+    assertEquals(
+        "a.txt: and 9900 more problems, not shown; reading ended there", problems.get(100));
+    assertEquals(
+        "a.yaml: and 9900 more problems, not shown; reading ended there",
+        problems(utf8("scenes:\n a:\n  lights:\n" + "   - a\n".repeat(20_000)), "a.yaml").get(100));
+  }
+
+  /** Defaults are written once and taken many times, as if by an alias. */
+  @Test
+  void defaultsAreNoBomb() {
+    StringBuilder text = new StringBuilder("defaults:\n  lights:\n");
+    for (int i = 0; i < 2500; i++) {
+      text.append("    - ambient: {color: 0.001}\n");
+    }
+    text.append("scenes:\n");
+    for (int i = 0; i < 2500; i++) {
+      text.append("  s").append(i).append(": {}\n");
+    }
+    assertEquals(
+        List.of("a.yaml:2504:3: too large: so many scenes cannot share so many default lights"),
+        problems(utf8(text.toString()), "a.yaml"));
+  }
+
+  @Test
   void whatWasWrittenIsShownShortAndInOneLine() {
     String name = "x".repeat(1000);
     String problem = problems(utf8(YAML + name + ": 1"), "a.yaml").get(0);

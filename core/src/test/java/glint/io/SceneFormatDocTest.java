@@ -98,10 +98,10 @@ class SceneFormatDocTest {
   @Test
   void thePageStatesTheLimits() {
     assertEquals(64 << 20, SourceText.MOST_BYTES);
-    assertEquals(10_000_000, YamlComposer.MOST_NODES);
+    assertEquals(5_000_000, YamlComposer.MOST_NODES);
     assertEquals(64, YamlComposer.DEEPEST);
     String text = DOC.replaceAll("\\s+", " ");
-    assertTrue(text.contains("up to 64 MiB and, its aliases written out, 10 million values"));
+    assertTrue(text.contains("up to 64 MiB and, its aliases written out, 5 million values"));
     assertTrue(text.contains("nested up to 64 deep"));
   }
 
