@@ -1,5 +1,6 @@
 package glint.desktop;
 
+import glint.io.Problem;
 import glint.io.SceneFile;
 import glint.io.SceneFiles;
 import java.io.IOException;
@@ -72,7 +73,9 @@ final class Inputs {
       content = SceneFiles.read(in, file.toString());
     }
     content.problems().forEach(problem -> fail(file, problem.toString()));
-    content.notes().forEach(note -> notes.add(note.toString()));
+    for (Problem n : content.notes()) {
+      notes.add(new Problem(n.file(), n.line(), n.column(), "note: " + n.message()).toString());
+    }
     if (content.scenes().isEmpty() && content.problems().isEmpty()) {
       fail(file, file + ": holds no scene");
     }

@@ -81,6 +81,20 @@ class CommandsTest {
   }
 
   @Test
+  void notesAreNoProblems() throws IOException {
+    Path file = dir.resolve("a.txt");
+    Files.writeString(
+        file,
+        "Camera 0 0 8 0 1 0 0 0 0 40 1\nOutput 4 4 a.png\nBounceDepth 1\nShadowBias 0.1\n"
+            + "Material 0 0 0 1 1 1 0 0 0 0 0 0 1\nSphere 0 0 0 1\n");
+    Run run = Run.of("check", file);
+    assertEquals(0, run.exitCode(), run.err());
+    assertTrue(run.out().startsWith(file + ":4:1: note: ShadowBias"), run.out());
+    run = Run.of("render", file, "--out", dir.resolve("out"), "--quiet");
+    assertEquals(new Run(0, "", ""), run);
+  }
+
+  @Test
   void planPrintsEveryDecisionWithItsReason() throws IOException {
     Path file = Scenes.write(dir.resolve("a.yaml"), "one", "two");
     Run run = Run.of("plan", file, "--scene", "two");
