@@ -4,14 +4,14 @@ import java.util.Collection;
 import java.util.Locale;
 
 /** Finds the word that a person probably meant. */
-final class Suggestion {
+public final class Suggestion {
 
   private static final int LONGEST = 40;
 
   private Suggestion() {}
 
   /** Returns {@code "; did you mean 'x'?"} for the nearest known word, or "" if none is near. */
-  static String hint(String word, Collection<String> known) {
+  public static String hint(String word, Collection<String> known) {
     String nearest = nearest(word, known);
     return nearest == null ? "" : "; did you mean '" + nearest + "'?";
   }

@@ -34,16 +34,28 @@ public record RenderSettings(
   /** Samples of a pixel where the user does not say. */
   public static final int DEFAULT_SAMPLES = 16;
 
+  /** The most samples of a pixel. */
+  public static final int MAX_SAMPLES = 1 << 24;
+
+  /** The largest limit of bounces. */
+  public static final int MAX_DEPTH = 1 << 20;
+
+  /** The most workers. */
+  public static final int MAX_THREADS = 1 << 12;
+
+  /** The largest edge of a tile. */
+  public static final int MAX_TILE = 1 << 20;
+
   /** Edge of a tile where the user does not say: small enough to share out, large enough to pay. */
   public static final int DEFAULT_TILE = 32;
 
   /** Checks the ranges. */
   public RenderSettings {
     Scene.checkSize(width, height);
-    Check.range("samples", samples, 1, 1 << 24);
-    Check.range("depth", maxDepth.orElse(0), 0, 1 << 20);
-    Check.range("threads", threads, 1, 1 << 12);
-    Check.range("tile", tileSize, 1, 1 << 20);
+    Check.range("samples", samples, 1, MAX_SAMPLES);
+    Check.range("depth", maxDepth.orElse(0), 0, MAX_DEPTH);
+    Check.range("threads", threads, 1, MAX_THREADS);
+    Check.range("tile", tileSize, 1, MAX_TILE);
     aovs = Set.copyOf(aovs);
   }
 

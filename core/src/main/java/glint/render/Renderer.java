@@ -8,11 +8,11 @@ import java.util.EnumMap;
 import java.util.List;
 import java.util.Map;
 import java.util.concurrent.CancellationException;
-import java.util.concurrent.ConcurrentLinkedQueue;
 import java.util.concurrent.ExecutionException;
 import java.util.concurrent.ExecutorService;
 import java.util.concurrent.Executors;
 import java.util.concurrent.Future;
+import java.util.concurrent.atomic.AtomicInteger;
 
 /**
  * Renders one image: cuts it into tiles and runs them on a fixed pool of threads.
@@ -25,11 +25,11 @@ public final class Renderer {
   private final RenderSettings settings;
   private final Image image;
   private final Map<Aov, Image> aovs = new EnumMap<>(Aov.class);
-  private final ConcurrentLinkedQueue<Worker> idle = new ConcurrentLinkedQueue<>();
-  private final List<Worker> workers = new ArrayList<>();
+  private final AtomicInteger nextTile = new AtomicInteger();
   private volatile boolean cancelled;
   private Progress progress = Progress.NONE;
-  private int total;
+  private final int columns;
+  private final int total;
   private int done;
   private long rays;
 
@@ -38,6 +38,8 @@ public final class Renderer {
     this.scene = scene;
     this.settings = settings;
     image = new Image(settings.width(), settings.height());
+    columns = tiles(settings.width());
+    total = Math.multiplyExact(columns, tiles(settings.height()));
     for (Aov aov : settings.aovs()) {
       aovs.put(aov, new Image(settings.width(), settings.height()));
     }
@@ -51,16 +53,17 @@ public final class Renderer {
   public RenderResult render(Progress listener) {
     progress = listener;
     long began = System.nanoTime();
+    List<Worker> workers = new ArrayList<>();
+    List<Future<?>> pending = new ArrayList<>();
     ExecutorService pool = Executors.newFixedThreadPool(settings.threads(), Renderer::thread);
     try {
-      List<Tile> tiles = tiles();
-      total = tiles.size();
-      List<Future<?>> pending = new ArrayList<>();
-      for (Tile tile : tiles) {
-        pending.add(pool.submit(tile));
+      for (int i = 0; i < Math.min(settings.threads(), total); i++) {
+        Worker worker = new Worker(this, scene, settings, image, aovs);
+        workers.add(worker);
+        pending.add(pool.submit(() -> work(worker)));
       }
-      for (Future<?> tile : pending) {
-        tile.get();
+      for (Future<?> each : pending) {
+        each.get();
       }
     } catch (InterruptedException e) {
       cancel();
@@ -75,7 +78,7 @@ public final class Renderer {
       throw new CancellationException("rendering was cancelled");
     }
     double seconds = (System.nanoTime() - began) * 1e-9;
-    return new RenderResult(image, aovs, statistics(seconds));
+    return new RenderResult(image, aovs, statistics(workers, seconds));
   }
 
   /** Stops the render soon; may be called from any thread. */
@@ -92,42 +95,39 @@ public final class Renderer {
     return cancelled;
   }
 
-  /** Lends out an idle worker, or a new one: there are never more than threads. */
-  Worker hire() {
-    Worker worker = idle.poll();
-    if (worker == null) {
-      worker = new Worker(scene, settings, image, aovs);
-      synchronized (workers) {
-        workers.add(worker);
-      }
-    }
-    return worker;
-  }
-
-  /** Takes back a worker whose tile is finished, and tells the listener. */
-  void finish(Worker worker) {
-    idle.add(worker);
-    synchronized (workers) {
+  /** Tells the listener of a finished tile. */
+  synchronized void tileDone(Worker worker) {
+    if (!cancelled) {
       done++;
       rays += worker.newRays();
       progress.tileDone(done, total, rays);
     }
   }
 
-  private List<Tile> tiles() {
-    int edge = settings.tileSize();
-    List<Tile> tiles = new ArrayList<>();
-    for (int y = 0; y < settings.height(); y += edge) {
-      for (int x = 0; x < settings.width(); x += edge) {
-        int x1 = Math.min(x + edge, settings.width());
-        int y1 = Math.min(y + edge, settings.height());
-        tiles.add(new Tile(this, x, y, x1, y1));
+  /** Runs tile after tile until there are no more. */
+  private void work(Worker worker) {
+    for (int i = nextTile.getAndIncrement(); i < total; i = nextTile.getAndIncrement()) {
+      if (cancelled) {
+        return;
       }
+      tile(worker, i).run();
     }
-    return tiles;
   }
 
-  private Statistics statistics(double seconds) {
+  private Tile tile(Worker worker, int number) {
+    int edge = settings.tileSize();
+    int x = number % columns * edge;
+    int y = number / columns * edge;
+    int x1 = Math.min(x + edge, settings.width());
+    int y1 = Math.min(y + edge, settings.height());
+    return new Tile(this, worker, x, y, x1, y1);
+  }
+
+  private int tiles(int side) {
+    return (side - 1) / settings.tileSize() + 1;
+  }
+
+  private Statistics statistics(List<Worker> workers, double seconds) {
     RayCounts counts = new RayCounts();
     long invalid = 0;
     for (Worker worker : workers) {

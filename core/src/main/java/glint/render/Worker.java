@@ -13,6 +13,7 @@ import java.util.Map;
 /** Everything that one thread needs to render pixels, made once and used for every tile. */
 final class Worker {
 
+  private final Renderer renderer;
   private final Prepared scene;
   private final RenderSettings settings;
   private final Image image;
@@ -24,7 +25,13 @@ final class Worker {
   private long invalid;
   private long reported;
 
-  Worker(Prepared scene, RenderSettings settings, Image image, Map<Aov, Image> aovs) {
+  Worker(
+      Renderer renderer,
+      Prepared scene,
+      RenderSettings settings,
+      Image image,
+      Map<Aov, Image> aovs) {
+    this.renderer = renderer;
     this.scene = scene;
     this.settings = settings;
     this.image = image;
@@ -50,7 +57,10 @@ final class Worker {
     return invalid;
   }
 
-  /** Stores the mean of a pixel's samples, and what its centre sees first if that is asked for. */
+  /**
+   * Stores the mean of a pixel's samples, and what its centre sees first if that is asked for;
+   * leaves it as it is when the render is cancelled.
+   */
   void pixel(int x, int y) {
     double r = 0;
     double g = 0;
@@ -58,6 +68,9 @@ final class Worker {
     int valid = 0;
     sampler.pixel(x, y);
     for (int i = 0; i < settings.samples(); i++) {
+      if (renderer.isCancelled()) {
+        return;
+      }
       place(i);
       double end = view.ray(x + sampler.x, y + sampler.y, ray);
       tracer.trace(ray, end);

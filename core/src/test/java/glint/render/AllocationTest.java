@@ -19,7 +19,8 @@ class AllocationTest {
     Prepared scene = Prepared.of(new RendererTest.World(1, false).scene().build());
     RenderSettings settings =
         new RenderSettings(97, 61, 8, 0, OptionalInt.empty(), 1, 32, Set.of());
-    Worker worker = new Worker(scene, settings, new Image(97, 61), Map.of());
+    Worker worker =
+        new Worker(new Renderer(scene, settings), scene, settings, new Image(97, 61), Map.of());
     ThreadMXBean threads = (ThreadMXBean) ManagementFactory.getThreadMXBean();
     render(worker);
     long raysBefore = worker.counts().total();

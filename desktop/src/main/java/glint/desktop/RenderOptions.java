@@ -24,10 +24,6 @@ final class RenderOptions {
   }
 
   // The renderer's own limits, to be told about before anything is read.
-  static final int MAX_SAMPLES = 1 << 24;
-  static final int MAX_DEPTH = 1 << 20;
-  static final int MAX_THREADS = 1 << 12;
-  static final int MAX_TILE = 1 << 20;
 
   @Spec(Spec.Target.MIXEE)
   private CommandSpec command;
@@ -94,7 +90,7 @@ final class RenderOptions {
       paramLabel = "N",
       description = "Samples of every pixel; 1 is its centre (default: 16).")
   void samples(int n) {
-    samples = inRange("--samples", n, 1, MAX_SAMPLES);
+    samples = inRange("--samples", n, 1, RenderSettings.MAX_SAMPLES);
   }
 
   @Option(
@@ -102,7 +98,7 @@ final class RenderOptions {
       paramLabel = "N",
       description = "At most N successive bounces, 0 for none (default: the scene's, or 64).")
   void depth(int n) {
-    depth = OptionalInt.of(inRange("--depth", n, 0, MAX_DEPTH));
+    depth = OptionalInt.of(inRange("--depth", n, 0, RenderSettings.MAX_DEPTH));
   }
 
   @Option(
@@ -110,7 +106,7 @@ final class RenderOptions {
       paramLabel = "N",
       description = "Worker threads (default: one per core).")
   void threads(int n) {
-    threads = inRange("--threads", n, 1, MAX_THREADS);
+    threads = inRange("--threads", n, 1, RenderSettings.MAX_THREADS);
   }
 
   @Option(
@@ -118,7 +114,7 @@ final class RenderOptions {
       paramLabel = "N",
       description = "Edge of a tile in pixels (default: 32).")
   void tile(int n) {
-    tile = inRange("--tile", n, 1, MAX_TILE);
+    tile = inRange("--tile", n, 1, RenderSettings.MAX_TILE);
   }
 
   @Option(

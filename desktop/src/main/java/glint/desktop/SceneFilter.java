@@ -1,5 +1,6 @@
 package glint.desktop;
 
+import glint.io.Suggestion;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.TreeSet;
@@ -35,7 +36,7 @@ final class SceneFilter {
     inputs.jobs().forEach(job -> known.add(job.scene().name()));
     for (String name : names) {
       if (!known.contains(name)) {
-        String line = "no scene is called '" + name + "'" + Words.suggestion(name, known);
+        String line = "no scene is called '" + name + "'" + Suggestion.hint(name, known);
         if (inputs.problems().isEmpty()) {
           throw new ParameterException(
               command.commandLine(), line + "\nThe scenes are: " + String.join(", ", known));

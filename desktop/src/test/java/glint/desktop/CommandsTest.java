@@ -109,10 +109,10 @@ class CommandsTest {
 
   @Test
   void theLimitsOfTheOptionsAreThoseOfTheRenderer() {
-    int samples = RenderOptions.MAX_SAMPLES;
-    int depth = RenderOptions.MAX_DEPTH;
-    int threads = RenderOptions.MAX_THREADS;
-    int tile = RenderOptions.MAX_TILE;
+    int samples = RenderSettings.MAX_SAMPLES;
+    int depth = RenderSettings.MAX_DEPTH;
+    int threads = RenderSettings.MAX_THREADS;
+    int tile = RenderSettings.MAX_TILE;
     settings(samples, depth, threads, tile);
     assertBad(() -> settings(samples + 1, depth, threads, tile));
     assertBad(() -> settings(samples, depth + 1, threads, tile));
