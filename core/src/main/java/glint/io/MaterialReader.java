@@ -15,6 +15,8 @@ final class MaterialReader {
 
   private static final String DEFAULT = "default";
 
+  private static final int MOST_NAMES = 1000;
+
   private final Values values;
   private final MaterialReader outer;
 
@@ -87,10 +89,15 @@ final class MaterialReader {
     return material;
   }
 
+  /** Returns what a suggestion may be taken from: nothing if that would take long. */
   private List<String> names() {
-    List<String> names = outer == null ? new ArrayList<>() : outer.names();
-    names.addAll(named.keySet());
-    names.sort(null);
+    int count = named.size() + (outer == null ? 0 : outer.named.size());
+    List<String> names = new ArrayList<>();
+    if (count <= MOST_NAMES) {
+      names.addAll(named.keySet());
+      names.addAll(outer == null ? List.of() : outer.names());
+      names.sort(null);
+    }
     return names;
   }
 

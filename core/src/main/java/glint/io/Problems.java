@@ -32,7 +32,7 @@ final class Problems {
    * @throws TooMany if there have been {@link #ENOUGH}: there is no use in reading on
    */
   void report(Place place, String message) {
-    String line = message.replaceAll("\\p{Cntrl}+", " ");
+    String line = message.replaceAll("[\\p{Cntrl}\u0085\u2028\u2029]+", " ");
     boolean whole = line.length() <= LONGEST;
     problems.add(
         new Problem(

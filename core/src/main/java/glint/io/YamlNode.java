@@ -13,7 +13,7 @@ sealed interface YamlNode {
   String described();
 
   /**
-   * Text, or what the core schema of YAML 1.2 makes of text without quotes.
+   * Text, or what the core schema of YAML 1.2 makes of text without quotes, numbers being decimal.
    *
    * @param plain whether it stands without quotes
    */

@@ -232,6 +232,14 @@ class Cs315Test {
     assertEquals(Material.WHITE, file.scenes().get(0).placements().get(1).material());
   }
 
+  @Test
+  void theScenesOfTheRepositoryAreGood() throws IOException {
+    for (Path file : Resources.scenes(".txt")) {
+      SceneFile read = Resources.read(Files.readAllBytes(file), file.toString());
+      assertEquals(List.of(), read.problems());
+    }
+  }
+
   /** The scenes of the course itself, where they lie beside the repository. */
   @Test
   void theCourseScenesAreRead() throws IOException {

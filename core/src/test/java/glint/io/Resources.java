@@ -8,6 +8,8 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.stream.Collectors;
+import java.util.stream.Stream;
 
 /** What the tests of the readers read. */
 final class Resources {
@@ -90,6 +92,16 @@ final class Resources {
       folder = folder.getParent();
     }
     return folder;
+  }
+
+  /** Returns the files under scenes/ whose names end so. */
+  static List<Path> scenes(String ending) throws IOException {
+    try (Stream<Path> files = Files.walk(repository().resolve("scenes"))) {
+      return files
+          .filter(file -> file.toString().endsWith(ending))
+          .sorted()
+          .collect(Collectors.toList());
+    }
   }
 
   static SceneFile read(String text, String fileName) {

@@ -11,6 +11,9 @@ import com.networknt.schema.SchemaId;
 import com.networknt.schema.SchemaLocation;
 import com.networknt.schema.SpecVersion;
 import com.networknt.schema.ValidationMessage;
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.Iterator;
 import java.util.List;
@@ -38,7 +41,7 @@ class SchemaTest {
   private static JsonNode tree() {
     try {
       return JSON.readTree(Resources.repositoryText("scenes/schema/glint-scene.schema.json"));
-    } catch (java.io.IOException e) {
+    } catch (IOException e) {
       throw new AssertionError(e);
     }
   }
@@ -78,6 +81,15 @@ class SchemaTest {
   void goodScenesValidate() {
     assertEquals(Set.of(), validate(Resources.text("everything.yaml")));
     assertEquals(Set.of(), validate(SceneFormatDocTest.example()));
+  }
+
+  @Test
+  void theScenesOfTheRepositoryAreGood() throws IOException {
+    for (Path file : Resources.scenes(".yaml")) {
+      String text = Files.readString(file);
+      assertEquals(Set.of(), validate(text), file.toString());
+      assertEquals(List.of(), Resources.read(text, file.toString()).problems());
+    }
   }
 
   @ParameterizedTest

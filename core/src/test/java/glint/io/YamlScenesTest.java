@@ -187,10 +187,10 @@ class YamlScenesTest {
     assertNear(v(1, 4, -12), place(1).point(p));
     assertNear(v(3, 2, -1), place(2).point(p));
     assertNear(v(-1, 2, -3), place(3).point(p));
-    // Scale, rotate, translate, in whatever order they are written: (1,2,3) (2,2,3) (-2,-2,3).
-    assertNear(v(8, -2, 3), place(4).point(p));
-    // In the order of the list: (1,2,3) (11,2,3) (-11,-2,3).
-    assertNear(v(-22, -2, 3), place(5).point(p));
+    // Scale, rotate, translate, in whatever order they are written: (1,2,3) (2,2,3) (-2,2,3).
+    assertNear(v(8, 2, 3), place(4).point(p));
+    // In the order of the list: (1,2,3) (11,2,3) (-2,11,3).
+    assertNear(v(-4, 11, 3), place(5).point(p));
   }
 
   private Transform place(int i) {
