@@ -16,21 +16,27 @@ import java.util.stream.Collectors;
  */
 public final class Primitives {
 
-  private static final byte SPHERE = 0;
-  private static final byte TRIANGLE = 1;
-  private static final byte PLANE = 2;
-  private static final byte BOX = 3;
-  private static final byte CYLINDER = 4;
+  private static final int SPHERE = 0;
+  private static final int TRIANGLE = 1;
+  private static final int PLANE = 2;
+  private static final int BOX = 3;
+  private static final int CYLINDER = 4;
 
   /** A triangle whose outside is where its corners run clockwise. */
-  private static final byte REVERSED_TRIANGLE = 5;
+  private static final int REVERSED_TRIANGLE = 5;
 
   /** Added to a kind: the data begins with two matrices (see TransformedKernel). */
-  private static final byte TRANSFORMED = 8;
+  private static final int TRANSFORMED = 8;
 
-  private final byte[] kind;
-  private final int[] start;
-  private final int[] number;
+  private static final int START_SHIFT = 4;
+  private static final int NUMBER_SHIFT = 33;
+
+  /** The most doubles that all primitives together can take: 59 million triangles. */
+  private static final int MAX_DOUBLES = (1 << NUMBER_SHIFT - START_SHIFT) - 1;
+
+  /** Kind, place in the data and number of each primitive, packed: one look into memory. */
+  private final long[] head;
+
   private final int[] surface;
   private final double[] data;
   private final int unbounded;
@@ -38,9 +44,7 @@ public final class Primitives {
   private final int degenerate;
 
   private Primitives(Builder b, int unbounded) {
-    kind = Arrays.copyOf(b.kind, b.count);
-    start = Arrays.copyOf(b.start, b.count);
-    number = Arrays.copyOf(b.number, b.count);
+    head = Arrays.copyOf(b.head, b.count);
     surface = Arrays.copyOf(b.surface, b.count);
     data = Arrays.copyOf(b.data, b.used);
     this.unbounded = unbounded;
@@ -50,7 +54,7 @@ public final class Primitives {
 
   /** Returns the number of primitives. */
   public int count() {
-    return kind.length;
+    return head.length;
   }
 
   /** Returns how many primitives have no bounds; they take the first slots. */
@@ -73,12 +77,12 @@ public final class Primitives {
   /** Returns the same primitives with the bounded ones in another order, and data in that order. */
   public Primitives reordered(int[] order) {
     Builder b = new Builder();
-    b.reserve(kind.length, data.length);
+    b.reserve(head.length, data.length);
     b.conditioning = conditioning;
     b.degenerate = degenerate;
-    for (int slot = 0; slot < kind.length; slot++) {
+    for (int slot = 0; slot < head.length; slot++) {
       int from = slot < unbounded ? slot : unbounded + order[slot - unbounded];
-      b.put(kind[from], data, start[from], sizeOf(kind[from]), number[from], surface[from]);
+      b.put(kind(head[from]), data, start(head[from]), number(head[from]), surface[from]);
     }
     return new Primitives(b, unbounded);
   }
@@ -89,9 +93,10 @@ public final class Primitives {
    * @param local scratch for the ray in object space
    */
   public void intersect(int slot, Ray ray, Hit hit, Ray local) {
-    int at = start[slot];
-    int k = kind[slot];
-    int id = number[slot];
+    long h = head[slot];
+    int at = start(h);
+    int k = kind(h);
+    int id = number(h);
     if (k >= TRANSFORMED) {
       TransformedKernel.toObject(data, at, ray, local);
       intersect(k - TRANSFORMED, at + TransformedKernel.SIZE, local, hit, id);
@@ -116,8 +121,8 @@ public final class Primitives {
   /** Fills in point, normal, surface and offset of a hit that was found with this ray. */
   public void resolve(Ray ray, Hit hit, Ray local) {
     int slot = hit.slot;
-    int at = start[slot];
-    int k = kind[slot];
+    int at = start(head[slot]);
+    int k = kind(head[slot]);
     hit.surface = surface[slot];
     if (k >= TRANSFORMED) {
       TransformedKernel.toObject(data, at, ray, local);
@@ -147,8 +152,8 @@ public final class Primitives {
    * roundings.
    */
   public void bounds(int slot, double[] out) {
-    int at = start[slot];
-    int k = kind[slot];
+    int at = start(head[slot]);
+    int k = kind(head[slot]);
     if (k >= TRANSFORMED) {
       bounds(k - TRANSFORMED, at + TransformedKernel.SIZE, out);
       TransformedKernel.boundsToWorld(data, at, out);
@@ -164,6 +169,22 @@ public final class Primitives {
       case CYLINDER -> CylinderKernel.bounds(data, at, out);
       default -> TriangleKernel.bounds(data, at, out);
     }
+  }
+
+  private static long pack(int kind, int start, int number) {
+    return (long) number << NUMBER_SHIFT | (long) start << START_SHIFT | kind;
+  }
+
+  private static int kind(long head) {
+    return (int) head & (1 << START_SHIFT) - 1;
+  }
+
+  private static int start(long head) {
+    return (int) (head >>> START_SHIFT) & MAX_DOUBLES;
+  }
+
+  private static int number(long head) {
+    return (int) (head >>> NUMBER_SHIFT);
   }
 
   private static int sizeOf(int k) {
@@ -182,9 +203,7 @@ public final class Primitives {
   /** Collects surfaces in scene order. */
   public static final class Builder {
 
-    private byte[] kind = new byte[16];
-    private int[] start = new int[16];
-    private int[] number = new int[16];
+    private long[] head = new long[16];
     private int[] surface = new int[16];
     private double[] data = new double[256];
     private int count;
@@ -227,8 +246,9 @@ public final class Primitives {
       int planes = 0;
       for (boolean bounded : new boolean[] {false, true}) {
         for (int i = 0; i < count; i++) {
-          if ((kind[i] != PLANE) == bounded) {
-            sorted.put(kind[i], data, start[i], sizeOf(kind[i]), number[i], surface[i]);
+          int k = kind(head[i]);
+          if ((k != PLANE) == bounded) {
+            sorted.put(k, data, start(head[i]), number(head[i]), surface[i]);
           }
         }
         planes = bounded ? planes : sorted.count;
@@ -271,8 +291,8 @@ public final class Primitives {
 
     /** Adds every triangle; one whose corners a mirroring has turned over is reversed. */
     private void addMesh(Mesh m, Transform toWorld, int number) {
-      reserve(count + m.triangles(), used + TriangleKernel.SIZE * m.triangles());
-      byte k = toWorld.mirrors() ? REVERSED_TRIANGLE : TRIANGLE;
+      reserve(count + m.triangles(), used + (long) TriangleKernel.SIZE * m.triangles());
+      int k = toWorld.mirrors() ? REVERSED_TRIANGLE : TRIANGLE;
       double[] nine = new double[TriangleKernel.SIZE];
       double[] rows = toWorld.rows();
       for (int i = 0; i < m.triangles(); i++) {
@@ -309,48 +329,50 @@ public final class Primitives {
     }
 
     /** Fans a convex polygon in world space into triangles around its first corner. */
-    private void addPolygon(List<Vector3d> corners, byte k, int number) {
+    private void addPolygon(List<Vector3d> corners, int k, int number) {
       for (int i = 2; i < corners.size(); i++) {
         double[] three = TriangleKernel.pack(corners.get(0), corners.get(i - 1), corners.get(i));
         put(k, three, number);
       }
     }
 
-    private void putTransformed(byte k, Transform toWorld, double[] own, int number) {
+    private void putTransformed(int k, Transform toWorld, double[] own, int number) {
       conditioning = Math.max(conditioning, toWorld.conditioning());
-      put((byte) (k + TRANSFORMED), TransformedKernel.pack(toWorld, own), number);
+      put(k + TRANSFORMED, TransformedKernel.pack(toWorld, own), number);
     }
 
     /** Adds a primitive under the next number, unless it is a triangle that is never hit. */
-    private void put(byte k, double[] numbers, int ofSurface) {
+    private void put(int k, double[] numbers, int ofSurface) {
       int id = next++;
       boolean triangle = k == TRIANGLE || k == REVERSED_TRIANGLE;
       if (triangle && !TriangleKernel.hasArea(numbers)) {
         degenerate++;
       } else {
-        put(k, numbers, 0, numbers.length, id, ofSurface);
+        put(k, numbers, 0, id, ofSurface);
       }
     }
 
-    private void put(byte k, double[] from, int at, int size, int id, int ofSurface) {
-      if (count == kind.length || used + size > data.length) {
-        reserve(Math.max(count + 1, 2 * kind.length), Math.max(used + size, 2 * data.length));
+    private void put(int k, double[] from, int at, int id, int ofSurface) {
+      int size = sizeOf(k);
+      if (count == head.length || used + size > data.length) {
+        long twice = Math.min(2L * data.length, MAX_DOUBLES);
+        reserve(Math.max(count + 1, 2 * head.length), Math.max((long) used + size, twice));
       }
-      kind[count] = k;
-      start[count] = used;
-      number[count] = id;
+      head[count] = pack(k, used, id);
       surface[count] = ofSurface;
       System.arraycopy(from, at, data, used, size);
       used += size;
       count++;
     }
 
-    private void reserve(int primitives, int doubles) {
-      kind = Arrays.copyOf(kind, primitives);
-      start = Arrays.copyOf(start, primitives);
-      number = Arrays.copyOf(number, primitives);
+    /** Makes room; throws if what is asked for cannot be addressed. */
+    private void reserve(int primitives, long doubles) {
+      if (doubles > MAX_DOUBLES) {
+        throw new IllegalArgumentException("the scene has more surfaces than Glint can hold");
+      }
+      head = Arrays.copyOf(head, primitives);
       surface = Arrays.copyOf(surface, primitives);
-      data = Arrays.copyOf(data, doubles);
+      data = Arrays.copyOf(data, (int) doubles);
     }
   }
 }
