@@ -31,6 +31,9 @@ final class YamlErrors {
         "expected '<document start>'.*",
         "this does not fit the lines above: check the indentation");
     say("unexpected character found.*", "text that begins with '&' or '*' needs quotes");
+    say(
+        "expected (?:a comment or a line break|chomping).*",
+        "text after '|' or '>' begins on the next line");
     say("expected the node content, but found '(.+)'", "a value is missing before '$1'");
   }
 
