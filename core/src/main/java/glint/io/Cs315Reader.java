@@ -89,7 +89,10 @@ final class Cs315Reader {
     placements.forEach(scene::place);
     boolean sound = problems.reports() == 0;
     return new SceneFile(
-        sound ? List.of(scene.build()) : List.of(), problems.inFileOrder(), notes.inFileOrder());
+        sound ? List.of(scene.build()) : List.of(),
+        List.of(),
+        problems.inFileOrder(),
+        notes.inFileOrder());
   }
 
   private boolean isKnown(Cs315Line line) {

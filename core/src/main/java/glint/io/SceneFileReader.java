@@ -13,6 +13,8 @@ final class SceneFileReader {
 
   private final Problems problems;
   private final Values values;
+  private final List<Scene> scenes = new ArrayList<>();
+  private final List<String> broken = new ArrayList<>();
 
   SceneFileReader(Problems problems) {
     this.problems = problems;
@@ -20,15 +22,14 @@ final class SceneFileReader {
   }
 
   SceneFile read(String text) {
-    List<Scene> scenes = new ArrayList<>();
     YamlNode root = YamlComposer.compose(text, problems);
     if (root != null) {
-      readFile(root, scenes);
+      readFile(root);
     }
-    return new SceneFile(scenes, problems.inFileOrder(), List.of());
+    return new SceneFile(scenes, broken, problems.inFileOrder(), List.of());
   }
 
-  private void readFile(YamlNode root, List<Scene> scenes) {
+  private void readFile(YamlNode root) {
     Fields file = new Fields(root, Section.FILE, values);
     MaterialReader materials = new MaterialReader(file.get("materials"), null, values);
     Fields defaults =
@@ -56,6 +57,8 @@ final class SceneFileReader {
       Scene scene = reader.read(each.getKey(), each.getValue());
       if (scene != null && !keyed.repeated().contains(each.getKey())) {
         scenes.add(scene);
+      } else {
+        broken.add(each.getKey());
       }
     }
   }

@@ -48,6 +48,6 @@ public final class SceneFiles {
   }
 
   private static SceneFile nothing(Problems problems) {
-    return new SceneFile(List.of(), problems.inFileOrder(), List.of());
+    return new SceneFile(List.of(), List.of(), problems.inFileOrder(), List.of());
   }
 }

@@ -52,7 +52,7 @@ final class Batch {
         run(job);
       }
     }
-    return end(jobs.size());
+    return end(jobs.size() + inputs.broken());
   }
 
   /** Checks that no file would be written twice, not even where the file system ignores case. */

@@ -20,6 +20,7 @@ final class Inputs {
   private final List<Job> jobs = new ArrayList<>();
   private final List<Failed> problems = new ArrayList<>();
   private final List<String> notes = new ArrayList<>();
+  private int broken;
 
   private Inputs() {}
 
@@ -47,7 +48,15 @@ final class Inputs {
     return jobs;
   }
 
-  /** Returns what is wrong, each by its file and with a whole line. */
+  /** Returns how many scenes could not be read. */
+  int broken() {
+    return broken;
+  }
+
+  /**
+   * Returns what is wrong, each by its file (and the scenes of it that are left out) and with a
+   * whole line.
+   */
   List<Failed> problems() {
     return problems;
   }
@@ -72,7 +81,10 @@ final class Inputs {
     try (InputStream in = new DigestInputStream(Files.newInputStream(file), digest)) {
       content = SceneFiles.read(in, file.toString());
     }
-    content.problems().forEach(problem -> fail(file, problem.toString()));
+    broken += content.broken().size();
+    String scenes = String.join(", ", content.broken());
+    String name = scenes.isEmpty() ? file.toString() : file + " (" + scenes + ")";
+    content.problems().forEach(problem -> problems.add(new Failed(name, problem.toString())));
     for (Problem n : content.notes()) {
       notes.add(new Problem(n.file(), n.line(), n.column(), "note: " + n.message()).toString());
     }

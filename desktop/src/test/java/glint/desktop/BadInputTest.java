@@ -221,6 +221,18 @@ class BadInputTest {
   }
 
   @Test
+  void theSummaryNamesTheScenesThatCouldNotBeRead() throws IOException {
+    String text = "\n  broken: {camera: 1}\n  broken-too: {camera: 2}\n";
+    Path file = Scenes.write(dir.resolve("mixed.yaml"), "good");
+    Files.writeString(file, Files.readString(file).stripTrailing() + text);
+    Run run = Run.of("render", file, "--out", dir.resolve("out"));
+    assertEquals(1, run.exitCode());
+    String summary = "1 of 3 scenes are finished; failed: " + file + " (broken, broken-too)";
+    assertTrue(run.err().contains(summary), run.err());
+    assertEquals(List.of("good.png"), Run.list(dir.resolve("out")));
+  }
+
+  @Test
   void aFolderInPlaceOfAnImageFailsThatSceneOnly() throws IOException {
     Path good = Scenes.write(dir.resolve("good.yaml"), "first", "good");
     Path taken = Files.createDirectories(dir.resolve("out/first.png/inside"));
