@@ -61,7 +61,19 @@ final class CylinderKernel {
     double height = data[at + 6];
     double slope = data[at + 8];
 
-    // Split origin and direction into parts along and across the axis.
+    // Begin at the point of the ray nearest to the middle of the axis: from there on all numbers
+    // are as large as the cylinder, however far away the origin is.
+    double radius = data[at + 7];
+    double length2 = ray.dx * ray.dx + ray.dy * ray.dy + ray.dz * ray.dz;
+    double half = 0.5 * height;
+    double start =
+        -((fx - half * ax) * ray.dx + (fy - half * ay) * ray.dy + (fz - half * az) * ray.dz)
+            / length2;
+    fx += start * ray.dx;
+    fy += start * ray.dy;
+    fz += start * ray.dz;
+
+    // Split point and direction into parts along and across the axis.
     double fs = fx * ax + fy * ay + fz * az;
     double ds = ray.dx * ax + ray.dy * ay + ray.dz * az;
     fx -= fs * ax;
@@ -71,62 +83,83 @@ final class CylinderKernel {
     double dy = ray.dy - ds * ay;
     double dz = ray.dz - ds * az;
 
-    // Compute the discriminant at the point of the ray nearest to the axis.
+    // Go on to the point nearest to the axis, but not beyond the cylinder's reach.
     double widening = slope * ds;
     double across = dx * dx + dy * dy + dz * dz;
-    double b = fx * dx + fy * dy + fz * dz;
-    double nearest = across > 0 ? -b / across : 0;
+    double reach = (height + radius + Math.abs(slope * height)) / Math.sqrt(length2);
+    double nearest = across > 0 ? -(fx * dx + fy * dy + fz * dz) / across : 0;
+    nearest = Math.min(Math.max(nearest, -reach), reach);
     double lx = fx + nearest * dx;
     double ly = fy + nearest * dy;
     double lz = fz + nearest * dz;
+    fs += nearest * ds;
+    start += nearest;
     double l2 = lx * lx + ly * ly + lz * lz;
-    double rhoThere = data[at + 7] + slope * (fs + nearest * ds);
-    double discriminant = across * (rhoThere * rhoThere - l2) + widening * widening * l2;
+    double rho = radius + slope * fs;
+
+    // Compute the discriminant, qb² - qa qc, as |ρe - (slope ds)w|² - |w × e|²: no digits cancel
+    // but at the silhouette. A ray steeper than the side always meets it.
+    double gx = rho * dx - widening * lx;
+    double gy = rho * dy - widening * ly;
+    double gz = rho * dz - widening * lz;
+    double hx = ly * dz - lz * dy;
+    double hy = lz * dx - lx * dz;
+    double hz = lx * dy - ly * dx;
+    double discriminant = gx * gx + gy * gy + gz * gz - (hx * hx + hy * hy + hz * hz);
+    double qa = across - widening * widening;
+    if (discriminant < 0 && qa < 0) {
+      discriminant = 0;
+    }
     if (!(discriminant >= 0)) {
       return;
     }
 
-    // Solve for the side, from the origin.
-    double rho = data[at + 7] + slope * fs;
-    double qa = across - widening * widening;
-    double qb = b - widening * rho;
-    double qc = fx * fx + fy * fy + fz * fz - rho * rho;
+    // Solve for the side from there.
+    double qb = lx * dx + ly * dy + lz * dz - widening * rho;
+    double qc = l2 - rho * rho;
     double root = Math.sqrt(discriminant);
     double q = qb > 0 ? -qb - root : -qb + root;
-    double first = qb > 0 ? q / qa : qc / q;
-    double second = qb > 0 ? qc / q : q / qa;
+    double one = q / qa;
+    // Where one root lies far beyond the cylinder, the other one would cancel.
+    boolean cancels = Math.abs(q) > 4 * reach * Math.abs(qa);
+    double other = cancels ? qc / q : (qb > 0 ? -qb + root : -qb - root) / qa;
+    double near = Math.min(one, other);
+    double far = Math.max(one, other);
     if (data[at + 9] == 0) {
-      offerSide(Math.min(first, second), fs, ds, height, ray, hit, id);
-      offerSide(Math.max(first, second), fs, ds, height, ray, hit, id);
+      offerSide(near, start, fs, ds, height, ray, hit, id);
+      offerSide(far, start, fs, ds, height, ray, hit, id);
       return;
     }
-    double near = Math.min(first, second);
-    double far = Math.max(first, second);
-    if (qa == 0 && widening == 0) { // parallel to a cylinder's side: inside all along or never
-      if (!(qc <= 0)) {
-        return;
-      }
-      near = Double.NEGATIVE_INFINITY;
-      far = Double.POSITIVE_INFINITY;
-    } else if (qa <= 0) { // steeper than the side: inside beyond one root, on the nappe that opens
-      double beyond = qa == 0 ? qc / (-2 * qb) : widening > 0 ? far : near;
-      near = widening > 0 ? beyond : Double.NEGATIVE_INFINITY;
-      far = widening > 0 ? Double.POSITIVE_INFINITY : beyond;
+    if (qa == 0) { // parallel to a line of the side: inside up to one point, or from it on
+      boolean never = qb == 0 && !(qc <= 0);
+      near = never ? Double.POSITIVE_INFINITY : qb < 0 ? other : Double.NEGATIVE_INFINITY;
+      far = qb > 0 ? other : Double.POSITIVE_INFINITY;
+    } else if (qa < 0) { // steeper than the side: inside beyond one root, on the nappe that opens
+      near = widening > 0 ? far : Double.NEGATIVE_INFINITY;
+      far = widening > 0 ? Double.POSITIVE_INFINITY : Math.min(one, other);
     }
-    offerSolid(near, far, fs, ds, height, ray, hit, id);
+    offerSolid(near, far, start, fs, ds, height, ray, hit, id);
   }
 
   private static void offerSide(
-      double t, double fs, double ds, double height, Ray ray, Hit hit, int id) {
+      double t, double start, double fs, double ds, double height, Ray ray, Hit hit, int id) {
     double s = fs + t * ds;
     if (s >= 0 && s <= height) {
-      hit.offer(ray, t, id, SIDE, 0);
+      hit.offer(ray, start + t, id, SIDE, 0);
     }
   }
 
   /** Cuts the part of the ray inside the side by the part between the caps. */
   private static void offerSolid(
-      double near, double far, double fs, double ds, double height, Ray ray, Hit hit, int id) {
+      double near,
+      double far,
+      double start,
+      double fs,
+      double ds,
+      double height,
+      Ray ray,
+      Hit hit,
+      int id) {
     int nearPart = SIDE;
     int farPart = SIDE;
     if (ds == 0) {
@@ -146,8 +179,8 @@ final class CylinderKernel {
       }
     }
     if (near <= far) {
-      boolean outside = near > ray.tMin;
-      hit.offer(ray, outside ? near : far, id, outside ? nearPart : farPart, 0);
+      boolean outside = start + near > ray.tMin;
+      hit.offer(ray, start + (outside ? near : far), id, outside ? nearPart : farPart, 0);
     }
   }
 

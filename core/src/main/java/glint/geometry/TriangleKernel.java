@@ -66,7 +66,7 @@ final class TriangleKernel {
 
     // Accept only what lies before the origin beyond all rounding (Pharr, Jakob, Humphreys,
     // Physically Based Rendering, 3rd ed., section 3.9.6).
-    double maxZ = max(az, bz, cz) * Math.abs(ray.shearZ);
+    double maxZ = max(az, bz, cz);
     double maxX = max(ax, bx, cx);
     double maxY = max(ay, by, cy);
     double deltaX = GAMMA5 * (maxX + maxZ);
@@ -74,7 +74,8 @@ final class TriangleKernel {
     double deltaE = 2 * (GAMMA2 * maxX * maxY + deltaY * maxX + deltaX * maxY);
     double maxE = max(u, v, w);
     double deltaZ = GAMMA3 * maxZ;
-    double deltaT = 3 * (GAMMA3 * maxE * maxZ + deltaE * maxZ + deltaZ * maxE) / Math.abs(det);
+    double deltaT =
+        3 * (GAMMA3 * maxE * maxZ + deltaE * maxZ + deltaZ * maxE) * Math.abs(ray.shearZ / det);
     if (t > deltaT) {
       hit.offer(ray, t, id, u / det, v / det);
     }
