@@ -1,0 +1,21 @@
+package glint.verify;
+
+import java.util.ArrayList;
+import java.util.List;
+
+/** All hard cases, in the order in which {@code glint verify} prints them. */
+public final class HardCases {
+
+  private HardCases() {}
+
+  /** Returns every case. */
+  public static List<HardCase> all() {
+    List<HardCase> cases = new ArrayList<>();
+    cases.addAll(SphereCases.all());
+    cases.addAll(TriangleCases.all());
+    cases.addAll(MeshCases.all());
+    cases.addAll(LeavingCases.all());
+    cases.addAll(AdversarialCases.all());
+    return List.copyOf(cases);
+  }
+}
