@@ -52,11 +52,7 @@ record Adversary<S extends Surface>(
           o = o.plus(nudge);
           aimed = along;
         }
-        Vector3d d =
-            aimed.maxAbs() > 0
-                ? aimed.times(
-                    System.getProperty("unit") != null ? 1 / aimed.length() : stretch(dice))
-                : along;
+        Vector3d d = aimed.maxAbs() > 0 ? aimed.times(stretch(dice)) : along;
         shoot.from(o, d);
         judge.judge(truth, shoot, o, d);
       }
