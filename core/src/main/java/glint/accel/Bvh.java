@@ -82,6 +82,11 @@ public final class Bvh {
     return children.length / 2;
   }
 
+  /** Returns what the nodes take in memory. */
+  public long bytes() {
+    return 4L * boxes.length + 4L * children.length;
+  }
+
   /** Returns the longest path from the root to a leaf, counted in nodes. */
   public int depth() {
     return depth(root);

@@ -23,10 +23,9 @@ final class CylinderKernel {
   private CylinderKernel() {}
 
   static double[] pack(
-      Vector3d base, Vector3d top, double radius, double topRadius, boolean capped) {
-    Vector3d axis = top.minus(base);
+      Vector3d base, Vector3d axis, double radius, double topRadius, boolean capped) {
     Vector3d a = axis.normalized();
-    double height = axis.length();
+    double height = axis.dot(a);
     double slope = (topRadius - radius) / height;
     double[] data = {
       base.x(), base.y(), base.z(), a.x(), a.y(), a.z(), height, radius, slope, capped ? 1 : 0

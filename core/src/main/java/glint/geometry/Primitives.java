@@ -57,6 +57,11 @@ public final class Primitives {
     return head.length;
   }
 
+  /** Returns what the arrays take in memory. */
+  public long bytes() {
+    return 8L * head.length + 4L * surface.length + 8L * data.length;
+  }
+
   /** Returns how many primitives have no bounds; they take the first slots. */
   public int unbounded() {
     return unbounded;
@@ -275,16 +280,17 @@ public final class Primitives {
     }
 
     private void addCylinder(Cylinder c, Transform toWorld, int number) {
+      Vector3d axis = c.top().minus(c.base());
       double scale = toWorld.uniformScale();
       if (scale > 0) {
+        // The axis moves as a direction: a small cylinder far away keeps it in full.
         Vector3d base = toWorld.point(c.base());
-        Vector3d top = toWorld.point(c.top());
+        Vector3d turned = toWorld.direction(axis);
         double r = scale * c.radius();
         double topR = scale * c.topRadius();
-        put(CYLINDER, CylinderKernel.pack(base, top, r, topR, c.capped()), number);
+        put(CYLINDER, CylinderKernel.pack(base, turned, r, topR, c.capped()), number);
       } else {
-        double[] own =
-            CylinderKernel.pack(c.base(), c.top(), c.radius(), c.topRadius(), c.capped());
+        double[] own = CylinderKernel.pack(c.base(), axis, c.radius(), c.topRadius(), c.capped());
         putTransformed(CYLINDER, toWorld, own, number);
       }
     }

@@ -2,6 +2,7 @@ package glint.geometry;
 
 import glint.math.Rounding;
 import glint.math.Vector3d;
+import java.math.BigDecimal;
 
 /**
  * Ray against triangle: three corners.
@@ -19,6 +20,13 @@ final class TriangleKernel {
   private static final double GAMMA2 = Rounding.gamma(2);
   private static final double GAMMA3 = Rounding.gamma(3);
   private static final double GAMMA5 = Rounding.gamma(5);
+
+  /**
+   * A ray that leaves a triangle starts within 5·2^-52 times the sum of its largest coordinates:
+   * one for the rounding of the hit point, four for the offset. Three times that is certainly not
+   * there.
+   */
+  private static final double LEFT = 16 * 0x1p-52;
 
   private TriangleKernel() {}
 
@@ -78,7 +86,38 @@ final class TriangleKernel {
         3 * (GAMMA3 * maxE * maxZ + deltaE * maxZ + deltaZ * maxE) * Math.abs(ray.shearZ / det);
     if (t > deltaT) {
       hit.offer(ray, t, id, u / det, v / det);
+      return;
     }
+
+    // Seen so edge-on that rounding hides t, it still cannot be the surface that the ray leaves if
+    // all of it lies ahead; its neighbours trust it to be hit, or a closed mesh would open here.
+    double origin = Math.abs(ray.okx) + Math.abs(ray.oky) + Math.abs(ray.okz);
+    double side = ray.shearZ > 0 ? 1 : -1;
+    double nearest = Math.min(side * az, Math.min(side * bz, side * cz));
+    boolean ahead = nearest > LEFT * (origin + maxX + maxY + 3 * maxZ);
+    if (ahead && !isEdgeOn(data, at, ray)) {
+      hit.offer(ray, t, id, u / det, v / det);
+    }
+  }
+
+  /** Returns whether the ray's direction lies in the triangle's plane, by exact arithmetic. */
+  private static boolean isEdgeOn(double[] data, int at, Ray ray) {
+    BigDecimal[] p = new BigDecimal[3];
+    BigDecimal[] q = new BigDecimal[3];
+    for (int i = 0; i < 3; i++) {
+      BigDecimal a = new BigDecimal(data[at + i]);
+      p[i] = new BigDecimal(data[at + 3 + i]).subtract(a);
+      q[i] = new BigDecimal(data[at + 6 + i]).subtract(a);
+    }
+    double[] d = {ray.dx, ray.dy, ray.dz};
+    BigDecimal along = BigDecimal.ZERO;
+    for (int i = 0; i < 3; i++) {
+      int j = (i + 1) % 3;
+      int k = (i + 2) % 3;
+      BigDecimal normal = p[j].multiply(q[k]).subtract(p[k].multiply(q[j]));
+      along = along.add(normal.multiply(new BigDecimal(d[i])));
+    }
+    return along.signum() == 0;
   }
 
   /** Interpolates the point from the corners; its rounding is a few ulp of their coordinates. */

@@ -141,6 +141,7 @@ public final class Renderer {
         samples,
         samples,
         scene.primitiveCount(),
+        scene.geometryBytes(),
         invalid,
         ImageFacts.clipped(image),
         seconds,

@@ -10,6 +10,7 @@ import glint.trace.RayCounts;
  * @param meanSamples the samples of a pixel, on average
  * @param maxSamples the most samples of a pixel
  * @param primitives how many things a ray can hit
+ * @param geometryBytes what the primitives and the tree take in memory
  * @param invalid samples that were NaN or infinite; they are left out of their pixel's mean
  * @param clipped pixels with a channel above display white
  * @param renderSeconds wall time of tracing alone
@@ -21,6 +22,7 @@ public record Statistics(
     double meanSamples,
     int maxSamples,
     int primitives,
+    long geometryBytes,
     long invalid,
     long clipped,
     double renderSeconds,

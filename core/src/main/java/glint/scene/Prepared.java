@@ -28,9 +28,9 @@ public final class Prepared {
     this.scene = scene;
     this.lights = lights;
     this.plan = plan;
-    this.primitives = primitives;
     materials = scene.placements().stream().map(Placement::material).toArray(Material[]::new);
     tree = plan.tree().used() ? Bvh.over(primitives) : null;
+    this.primitives = tree == null ? primitives : tree.primitives();
     radianceBound = boundRadiance();
   }
 
@@ -78,6 +78,11 @@ public final class Prepared {
   /** Returns the number of things that a ray can hit. */
   public int primitiveCount() {
     return primitives.count();
+  }
+
+  /** Returns what the primitives and the tree over them take in memory. */
+  public long geometryBytes() {
+    return primitives.bytes() + (tree == null ? 0 : tree.bytes());
   }
 
   /** Returns a search for hits, for one worker. */

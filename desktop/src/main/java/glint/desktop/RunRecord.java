@@ -24,7 +24,7 @@ record RunRecord(String fingerprint, Map<String, String> files, SceneStats scene
       new GsonBuilder().serializeNulls().disableHtmlEscaping().create();
 
   /** What differs between runs that make the same image. */
-  private static final List<String> VARYING = List.of("seconds", "resumed");
+  private static final List<String> VARYING = List.of("seconds", "raysPerSecond", "resumed");
 
   /** Sorts the files by name. */
   RunRecord {

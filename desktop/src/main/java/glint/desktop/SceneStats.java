@@ -20,7 +20,9 @@ record SceneStats(
     Seconds seconds,
     Rays rays,
     Samples samples,
+    Double raysPerSecond,
     Integer primitives,
+    Geometry geometry,
     ErrorEstimate error,
     Depth depth,
     Long invalid,
@@ -43,6 +45,9 @@ record SceneStats(
   /** Samples of a pixel. */
   record Samples(int min, double mean, int max) {}
 
+  /** What the flat arrays and the tree take in memory. */
+  record Geometry(long bytes, double bytesPerPrimitive) {}
+
   /** What is known of the error; nothing, until it is estimated. */
   record ErrorEstimate(Double estimate, Double target, Double truncation, String unit) {
     static final ErrorEstimate UNKNOWN = new ErrorEstimate(null, null, null, "levels");
@@ -61,7 +66,9 @@ record SceneStats(
         seconds,
         new Rays(rays.camera, rays.reflection, rays.refraction, rays.shadow),
         new Samples(s.minSamples(), s.meanSamples(), s.maxSamples()),
+        rays.total() / seconds.render(),
         s.primitives(),
+        new Geometry(s.geometryBytes(), (double) s.geometryBytes() / Math.max(1, s.primitives())),
         ErrorEstimate.UNKNOWN,
         new Depth(rays.maxDepth),
         s.invalid(),
@@ -77,6 +84,8 @@ record SceneStats(
         settings.width(),
         settings.height(),
         Seconds.NONE,
+        null,
+        null,
         null,
         null,
         null,
@@ -97,7 +106,9 @@ record SceneStats(
         Seconds.NONE,
         rays,
         samples,
+        null,
         primitives,
+        geometry,
         error,
         depth,
         invalid,
