@@ -53,7 +53,7 @@ final class AdversarialCases {
   private static void measure(Adversary<?> adversary, Tally tally) {
     adversary.attack(
         new Dice(2),
-        tally.times(LITTLE, MUCH),
+        tally.times(LITTLE / 2, MUCH),
         (oracle, shoot, o, d) -> {
           if (shoot.hit.found()) {
             double error = Crossing.error(oracle.crossings(o, d), shoot.hit.t);

@@ -14,6 +14,10 @@ public final class HardCases {
     cases.addAll(SphereCases.all());
     cases.addAll(TriangleCases.all());
     cases.addAll(MeshCases.all());
+    cases.addAll(BvhCases.all());
+    cases.addAll(CameraCases.all());
+    cases.addAll(ShadowCases.all());
+    cases.addAll(WorldCases.all());
     cases.addAll(LeavingCases.all());
     cases.addAll(AdversarialCases.all());
     return List.copyOf(cases);

@@ -22,7 +22,7 @@ final class MeshCases {
   }
 
   private static void corners(Tally tally) {
-    Mesh globe = Mesh.globe(2, 20, 40);
+    ClosedMesh globe = ClosedMesh.globe(2, 20, 40);
     Dice dice = new Dice(2);
     Shoot shoot = Shoot.throughTree(globe.primitives());
     for (int i = 0; i < 40_000; i++) {
@@ -31,7 +31,7 @@ final class MeshCases {
   }
 
   private static void edges(Tally tally) {
-    Mesh globe = Mesh.globe(2, 20, 40);
+    ClosedMesh globe = ClosedMesh.globe(2, 20, 40);
     Dice dice = new Dice(3);
     Shoot shoot = Shoot.throughTree(globe.primitives());
     for (int i = 0; i < 40_000; i++) {
@@ -39,7 +39,7 @@ final class MeshCases {
     }
   }
 
-  private static Vector3d onEdge(Dice dice, Mesh mesh, int face) {
+  private static Vector3d onEdge(Dice dice, ClosedMesh mesh, int face) {
     int i = dice.below(3);
     Vector3d a = mesh.corner(face, i);
     return a.plus(mesh.corner(face, i + 1).minus(a).times(dice.in(0, 1)));
@@ -48,7 +48,7 @@ final class MeshCases {
   private static void cube(Tally tally) {
     Dice dice = new Dice(17);
     for (Vector3d place : new Vector3d[] {Vector3d.ZERO, new Vector3d(1e6, -3e5, 0.1)}) {
-      Mesh cube = Mesh.cube(1).placed(1, place);
+      ClosedMesh cube = ClosedMesh.cube(1).placed(1, place);
       Shoot scan = Shoot.scanning(cube.primitives());
       Shoot tree = Shoot.throughTree(cube.primitives());
       for (int i = 0; i < tally.times(100_000, 1_000_000); i++) {
@@ -69,13 +69,13 @@ final class MeshCases {
   }
 
   /** A mesh at a place, with eyes deep inside. */
-  private record Scaled(Mesh mesh, double scale, Vector3d middle) {
+  private record Scaled(ClosedMesh mesh, double scale, Vector3d middle) {
 
     static Scaled of(int splits, int which) {
       double scale = new double[] {1, 1, 0x1p-30, 1e6}[which];
       double away = new double[] {0, 1e6, 0, 1e9}[which];
       Vector3d middle = new Vector3d(0.6, -0.8, 0.3).times(away);
-      return new Scaled(Mesh.hills(splits).placed(scale, middle), scale, middle);
+      return new Scaled(ClosedMesh.hills(splits).placed(scale, middle), scale, middle);
     }
 
     Vector3d eye(Dice dice) {

@@ -41,7 +41,12 @@ final class Shoot {
 
   /** Tries what a tree over all primitives finds. */
   static Shoot throughTree(Primitives primitives) {
-    return new Shoot(new Intersector(Bvh.over(primitives)));
+    return through(Bvh.over(primitives));
+  }
+
+  /** Tries what a tree finds. */
+  static Shoot through(Bvh tree) {
+    return new Shoot(new Intersector(tree));
   }
 
   static Primitives primitives(List<? extends Surface> surfaces) {
@@ -72,6 +77,11 @@ final class Shoot {
   /** Returns whether the ray as it is now hits anything up to a parameter. */
   boolean any(double tMax) {
     return search.any(ray, tMax, other);
+  }
+
+  /** Returns how many nodes of a tree were looked at so far. */
+  long nodesVisited() {
+    return search.nodesVisited();
   }
 
   /** Fills in point and normal of the hit. */

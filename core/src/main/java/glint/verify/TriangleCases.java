@@ -1,6 +1,7 @@
 package glint.verify;
 
 import glint.geometry.Hit;
+import glint.geometry.Primitives;
 import glint.geometry.Triangle;
 import glint.math.Vector3d;
 import java.util.ArrayList;
@@ -143,7 +144,9 @@ final class TriangleCases {
       Vector3d e = whole(dice);
       Vector3d b = a.plus(e.times(dice.below(3)));
       Vector3d c = a.plus(e.times(dice.below(9) - 4));
-      Shoot shoot = Shoot.at(new Triangle(a, b, c));
+      Primitives counted = Shoot.primitives(List.of(new Triangle(a, b, c)));
+      Shoot shoot = Shoot.scanning(counted);
+      tally.check(counted.degenerate() == 1);
       Vector3d o = dice.cube(4000);
       tally.check(!shoot.through(o, a.plus(e.times(dice.in(-4, 4)))));
       tally.check(!shoot.through(o, a) && !Double.isNaN(shoot.hit.t));
@@ -167,7 +170,7 @@ final class TriangleCases {
       tally.check(!shoot.from(o, d));
     }
     // From inside a cube along its middle planes the neighbours are hit.
-    Mesh cube = Mesh.cube(1);
+    ClosedMesh cube = ClosedMesh.cube(1);
     Shoot shoot = Shoot.scanning(cube.primitives());
     for (int i = 0; i < 1000; i++) {
       double angle = dice.in(0, 7);

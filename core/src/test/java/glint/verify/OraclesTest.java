@@ -110,7 +110,8 @@ class OraclesTest {
 
   @Test
   void meshesAreClosed() {
-    for (Mesh mesh : List.of(Mesh.globe(2, 20, 40), Mesh.cube(1), Mesh.hills(2))) {
+    for (ClosedMesh mesh :
+        List.of(ClosedMesh.globe(2, 20, 40), ClosedMesh.cube(1), ClosedMesh.hills(2))) {
       Map<List<Integer>, Integer> edges = new HashMap<>();
       for (int[] f : mesh.faces()) {
         for (int i = 0; i < 3; i++) {
@@ -122,7 +123,7 @@ class OraclesTest {
       assertTrue(edges.values().stream().allMatch(n -> n == 2));
       assertEquals(2, mesh.corners().size() - edges.size() + mesh.faces().size(), "Euler");
     }
-    assertEquals(1520, Mesh.globe(2, 20, 40).faces().size());
-    assertEquals(20 * 256, Mesh.hills(4).faces().size());
+    assertEquals(1520, ClosedMesh.globe(2, 20, 40).faces().size());
+    assertEquals(20 * 256, ClosedMesh.hills(4).faces().size());
   }
 }

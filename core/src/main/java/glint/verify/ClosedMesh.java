@@ -1,19 +1,19 @@
 package glint.verify;
 
+import glint.geometry.Mesh;
 import glint.geometry.Primitives;
-import glint.geometry.Triangle;
-import glint.math.Transform;
 import glint.math.Vector3d;
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 
 /** A closed mesh: corners, and three numbers of corners a triangle; immutable. */
-record Mesh(List<Vector3d> corners, List<int[]> faces) {
+record ClosedMesh(List<Vector3d> corners, List<int[]> faces) {
 
   /** Returns a sphere around the origin, cut by circles of latitude and longitude. */
-  static Mesh globe(double radius, int stacks, int slices) {
+  static ClosedMesh globe(double radius, int stacks, int slices) {
     List<Vector3d> corners = new ArrayList<>();
     corners.add(new Vector3d(0, 0, radius));
     for (int i = 1; i < stacks; i++) {
@@ -43,7 +43,7 @@ record Mesh(List<Vector3d> corners, List<int[]> faces) {
         }
       }
     }
-    return new Mesh(corners, faces);
+    return new ClosedMesh(corners, faces);
   }
 
   /** The corner on a circle of latitude; the first and the last circle are the poles. */
@@ -53,7 +53,7 @@ record Mesh(List<Vector3d> corners, List<int[]> faces) {
   }
 
   /** Returns a cube around the origin, of twelve triangles. */
-  static Mesh cube(double half) {
+  static ClosedMesh cube(double half) {
     List<Vector3d> corners = new ArrayList<>();
     for (int i = 0; i < 8; i++) {
       corners.add(new Vector3d(side(i, 1), side(i, 2), side(i, 4)).times(half));
@@ -67,7 +67,7 @@ record Mesh(List<Vector3d> corners, List<int[]> faces) {
         faces.add(new int[] {base, base + p + q, base + q});
       }
     }
-    return new Mesh(corners, faces);
+    return new ClosedMesh(corners, faces);
   }
 
   private static double side(int corner, int bit) {
@@ -78,8 +78,8 @@ record Mesh(List<Vector3d> corners, List<int[]> faces) {
    * Returns a sphere of radius 1 with hills and valleys: an icosahedron, each triangle split in
    * four so many times, every corner moved along its radius by a sum of sines of at most 0.3.
    */
-  static Mesh hills(int splits) {
-    Mesh mesh = icosahedron();
+  static ClosedMesh hills(int splits) {
+    ClosedMesh mesh = icosahedron();
     for (int i = 0; i < splits; i++) {
       mesh = mesh.split();
     }
@@ -92,10 +92,10 @@ record Mesh(List<Vector3d> corners, List<int[]> faces) {
               + StrictMath.sin(17 * n.z() + 5 * n.x());
       corners.add(n.times(1 + 0.1 * wave));
     }
-    return new Mesh(corners, mesh.faces);
+    return new ClosedMesh(corners, mesh.faces);
   }
 
-  private static Mesh icosahedron() {
+  private static ClosedMesh icosahedron() {
     double g = (1 + Math.sqrt(5)) / 2;
     List<Vector3d> corners = new ArrayList<>();
     for (double s : new double[] {-1, 1}) {
@@ -116,14 +116,14 @@ record Mesh(List<Vector3d> corners, List<int[]> faces) {
         }
       }
     }
-    return new Mesh(corners, faces);
+    return new ClosedMesh(corners, faces);
   }
 
   private static boolean near(List<Vector3d> corners, int a, int b) {
     return corners.get(a).minus(corners.get(b)).length() < 1.1;
   }
 
-  private Mesh split() {
+  private ClosedMesh split() {
     List<Vector3d> all = new ArrayList<>(corners);
     Map<Long, Integer> middles = new HashMap<>();
     List<int[]> quarters = new ArrayList<>();
@@ -136,7 +136,7 @@ record Mesh(List<Vector3d> corners, List<int[]> faces) {
       quarters.add(new int[] {r, q, f[2]});
       quarters.add(new int[] {p, q, r});
     }
-    return new Mesh(all, quarters);
+    return new ClosedMesh(all, quarters);
   }
 
   private static int middle(int a, int b, List<Vector3d> all, Map<Long, Integer> middles) {
@@ -150,12 +150,12 @@ record Mesh(List<Vector3d> corners, List<int[]> faces) {
   }
 
   /** Returns this mesh scaled, then moved; corners round, but stay shared. */
-  Mesh placed(double scale, Vector3d offset) {
+  ClosedMesh placed(double scale, Vector3d offset) {
     List<Vector3d> moved = new ArrayList<>();
     for (Vector3d v : corners) {
       moved.add(v.times(scale).plus(offset));
     }
-    return new Mesh(moved, faces);
+    return new ClosedMesh(moved, faces);
   }
 
   Vector3d corner(int face, int i) {
@@ -163,11 +163,17 @@ record Mesh(List<Vector3d> corners, List<int[]> faces) {
   }
 
   Primitives primitives() {
-    Primitives.Builder builder = new Primitives.Builder();
-    for (int i = 0; i < faces.size(); i++) {
-      Triangle t = new Triangle(corner(i, 0), corner(i, 1), corner(i, 2));
-      builder.add(t, Transform.IDENTITY, i);
+    return Shoot.primitives(List.of(surface()));
+  }
+
+  Mesh surface() {
+    double[] points = new double[3 * corners.size()];
+    for (int i = 0; i < corners.size(); i++) {
+      points[3 * i] = corners.get(i).x();
+      points[3 * i + 1] = corners.get(i).y();
+      points[3 * i + 2] = corners.get(i).z();
     }
-    return builder.build();
+    int[] three = faces.stream().flatMapToInt(Arrays::stream).toArray();
+    return new Mesh(points, three);
   }
 }
