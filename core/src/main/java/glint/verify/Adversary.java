@@ -13,16 +13,16 @@ import java.util.function.Function;
  * @param shape draws a surface
  * @param oracle knows the truth about it
  * @param spot draws a line that touches it or nearly so
- * @param decision the derived band, in u·S, within which a hit or miss may be decided either way
- * @param parameter the derived bound of the error of t, in the oracle's units
+ * @param decision the derived band within which a hit or miss may be decided either way
+ * @param parameter the derived bound of the error of t
  */
 record Adversary<S extends Surface>(
     String name,
     Function<Dice, S> shape,
     Function<S, Oracle> oracle,
     BiFunction<Dice, S, Spot> spot,
-    double decision,
-    double parameter) {
+    Bound decision,
+    Bound parameter) {
 
   /** Rays at each surface, before the next is drawn. */
   private static final int RAYS = 8;

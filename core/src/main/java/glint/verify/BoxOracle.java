@@ -15,10 +15,10 @@ final class BoxOracle implements Oracle {
    * parameters of 2 roundings each part by 4ut, and the line leaves an edge no faster than by
    * |d|/√2 a unit of t.
    */
-  static final double DECISION = 4;
+  static final Bound DECISION = new Bound(4, "u·S");
 
   /** The largest error of t, in u·t: a difference and a quotient (one more for u²). */
-  static final double PARAMETER = 2.0000001;
+  static final Bound PARAMETER = new Bound(2.0000001, "u·t");
 
   private final double[][] corners;
   private final double size;

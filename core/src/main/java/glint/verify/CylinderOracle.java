@@ -18,11 +18,24 @@ import java.util.stream.Collectors;
  */
 final class CylinderOracle implements Oracle {
 
-  /** How far from silhouette, rim or tip, in u·S with S = |f| + height + radii, it may err. */
-  static final double DECISION = 24;
+  /**
+   * How far from silhouette, rim or tip, in u·S with S = |f| + height + radii, the kernel may
+   * decide either way.
+   *
+   * <p>Moving the origin next to the solid errs by 3uS. From there on all numbers are at most its
+   * size: splitting along and across the axis and going on to the nearest point adds 12u to l, 8u
+   * to s and with that 10u to ρ, seen across the side; the vectors in D = |ρe - m dₛ w|² - |w × e|²
+   * err by 2u a product and their squares by 3/2, which makes 9u.
+   */
+  static final Bound DECISION = new Bound(36, "u·S");
 
-  /** The largest error of t|d|, in u·S/cos with cos that of ray and normal. */
-  static final double PARAMETER = 32;
+  /**
+   * The largest error of t|d|, in u·S/cos with cos that of ray and normal.
+   *
+   * <p>The same errors, divided by the cosine, and 8u for the root and 2u for adding it to where it
+   * was looked for.
+   */
+  static final Bound PARAMETER = new Bound(48, "u·S/cos");
 
   private final Exact3 base;
   private final Exact3 axis;
@@ -35,14 +48,15 @@ final class CylinderOracle implements Oracle {
 
   CylinderOracle(Cylinder cylinder) {
     Vector3d along = cylinder.top().minus(cylinder.base());
-    double m = (cylinder.topRadius() - cylinder.radius()) / along.length();
+    double length = along.dot(along.normalized());
+    double m = (cylinder.topRadius() - cylinder.radius()) / length;
     base = Exact3.of(cylinder.base());
     axis = Exact3.of(along.normalized());
-    height = Exact.of(along.length());
+    height = Exact.of(length);
     radius = Exact.of(cylinder.radius());
     slope = Exact.of(m);
     tilt = Math.sqrt(1 + m * m);
-    extent = along.length() + cylinder.radius() + cylinder.topRadius();
+    extent = length + cylinder.radius() + cylinder.topRadius();
     capped = cylinder.capped();
   }
 
@@ -148,7 +162,7 @@ final class CylinderOracle implements Oracle {
     private Crossing side(BigDecimal t, double half, double margin) {
       BigDecimal s = fs.add(t.multiply(ds));
       double rho = Math.abs(Exact.toDouble(radius.add(slope.multiply(s))));
-      boolean tip = rho <= DECISION * scale;
+      boolean tip = rho <= DECISION.most() * scale;
       double cos = tip ? cosAtTip() : Math.min(1, Math.abs(half) / (rho * tilt * length));
       double inside = Math.min(rim(atBase, s, half), rim(atTop, height.subtract(s), half));
       return new Crossing(t, scale / (cos * length), Math.min(margin, inside / scale));
@@ -186,7 +200,7 @@ final class CylinderOracle implements Oracle {
       double outward = far > 0 ? Exact.toDouble(along) / (far * Exact.toDouble(ds)) : 0;
       double inside = sum > 0 ? within / (sum * Math.sqrt(1 + outward * outward)) : 0;
       double rate = Exact.toDouble(along.subtract(rho.multiply(slope).multiply(ds)));
-      boolean tip = Math.abs(Exact.toDouble(rho)) <= DECISION * scale;
+      boolean tip = Math.abs(Exact.toDouble(rho)) <= DECISION.most() * scale;
       double cos = Math.abs(Exact.toDouble(ds)) / length;
       Crossing cap = new Crossing(t, scale / (cos * length), inside / scale);
       return new Rim(cap, Math.abs(inside), tip ? 0 : rate);

@@ -38,6 +38,11 @@ public final class HardCase {
     return new HardCase(id, what, bound, unit, trials);
   }
 
+  /** Makes a case whose errors have a bound that was derived elsewhere. */
+  static HardCase within(String id, String what, Bound bound, Consumer<Tally> trials) {
+    return within(id, what, bound.most(), bound.unit(), trials);
+  }
+
   /** Returns the identifier, such as S05. */
   public String id() {
     return id;

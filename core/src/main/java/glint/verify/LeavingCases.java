@@ -22,7 +22,8 @@ final class LeavingCases {
   static List<HardCase> all() {
     return List.of(
         HardCase.exact("S13", "leaving spheres outward, half grazing", LeavingCases::outOfSpheres),
-        HardCase.within("S14", "entering spheres", 16, "u·S/cos", LeavingCases::intoSpheres),
+        HardCase.within(
+            "S14", "entering spheres", SphereOracle.PARAMETER, LeavingCases::intoSpheres),
         HardCase.exact("T14", "leaving triangles up to aspect 1e7", LeavingCases::triangles),
         leaving("plane", LeavingCases::plane),
         leaving("box", LeavingCases::box),

@@ -10,17 +10,16 @@ import java.util.List;
 final class PlaneOracle implements Oracle {
 
   /**
-   * How far from the plane's direction (an angle in u) or from its points (in u·S) the kernel may
-   * decide either way: n·d and n·(p - o) each err by 3u of their terms, and p - o by u.
-   *
-   * <p>S = |p - o| + t|d|, the sides of the triangle of origin, hit and anchor.
+   * How far from the plane's direction (an angle in u) or from its points (in u·S, S being |p - o|
+   * + t|d|) the kernel may decide either way: n·d and n·(p - o) err by 3u, and p - o by u.
    */
-  static final double DECISION = 6;
+  static final Bound DECISION = new Bound(4, "u·S");
 
   /**
-   * The largest error of t|d|, in u·S/cos: those two errors, each term at most √3 of the product.
+   * The largest error of t|d|, in u·S/cos: 4u|p - o| and 4ut|d|, twice where cos is so small that
+   * half of it is rounding.
    */
-  static final double PARAMETER = 8;
+  static final Bound PARAMETER = new Bound(8, "u·S/cos");
 
   private final Exact3 point;
   private final Exact3 normal;

@@ -182,8 +182,8 @@ final class ShadowCases {
           boolean shadowed = sphere.closest();
           List<Crossing> truth = new SphereOracle(ball).crossings(ground.point(), light);
           tally.check(
-              Crossing.wrongness(truth, shadowed, sphere.hit.t, SphereOracle.PARAMETER)
-                  <= SphereOracle.DECISION);
+              Crossing.wrongness(truth, shadowed, sphere.hit.t, SphereOracle.PARAMETER.most())
+                  <= SphereOracle.DECISION.most());
         }
       }
     }

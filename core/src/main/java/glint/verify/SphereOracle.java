@@ -20,7 +20,7 @@ final class SphereOracle implements Oracle {
    * the difference; its error along the ray, 7u|f|, is square to l and counts only squared. The
    * squares l² and r² add (3/2)u|l| and (1/2)u·r. With |l| near r that is 2u|f| + 3u·r at most.
    */
-  static final double DECISION = 4;
+  static final Bound DECISION = new Bound(4, "u·S");
 
   /**
    * The largest error of t|d|, in u·S/cos with cos that of ray and normal.
@@ -29,7 +29,7 @@ final class SphereOracle implements Oracle {
    * + 2ur², which the division by q ≥ h leaves below 5uS/cos; a, the sum and the division add at
    * most 3u|q|/|d| ≤ 6uS.
    */
-  static final double PARAMETER = 16;
+  static final Bound PARAMETER = new Bound(16, "u·S/cos");
 
   private final Exact3 center;
   private final double radius;

@@ -9,28 +9,28 @@ import java.util.List;
 /**
  * Where a line meets a triangle: the signs of three edge functions U, V, W, without rounding.
  *
- * <p>Corners relative to the origin are called A, B, C here, S is the largest of their lengths, R
- * their largest distance from the line, E the extent of the triangle along the line, and det = U +
- * V + W for a unit direction: twice the area as the ray sees it.
+ * <p>Corners relative to the origin are called A, B, C here, S is the largest of their lengths,
+ * |A|, |B|, |C| their distances from the line, L the length of an edge as the ray sees it, and det
+ * = U + V + W for a unit direction: twice the area as the ray sees it.
  */
 final class TriangleOracle implements Oracle {
 
   /**
-   * How far from an edge, in u·S·max(1, R²/det), the kernel may decide either way.
+   * How far from an edge's line the kernel may decide either way.
    *
-   * <p>A sheared corner errs by 5uS an axis (7uS in the plane), an edge function of the corners as
-   * sheared by 2u|B||C|. The first moves an edge by 7uS. The second lets the point that the three
-   * functions mean, Σ eᵢ vᵢ / Σ eᵢ, stray by 6u|A||B||C| / det. Shearing stretches by √3 at most.
+   * <p>A sheared corner errs by 6uS an axis, 8.5uS in the plane, and so do edges between corners as
+   * they are sheared. Their functions err by 2u|B||C|, and shearing stretches that by 3 at most.
    */
-  static final double DECISION = 24;
+  static final Bound DECISION = new Bound(9, "u(S + |B||C|/L)");
 
   /**
-   * The largest error of t|d|, in u·S·(1 + R·E/det).
+   * The largest error of t|d|, where cos is that of ray and normal.
    *
-   * <p>t is a mean of the corners' z, weighted by edge functions that err by 2uR² + 14uSR each; a
-   * weight moves the mean by the corner's distance from it, E at most. Summing up adds 10uS.
+   * <p>t is the corners' z at the point that the edge functions mean, Σ eᵢvᵢ / Σ eᵢ. It strays by
+   * those 8.5uS and by 18u|A||B||C|/det, and by 1/cos of that along the ray. Summing up and
+   * dividing adds 14uS.
    */
-  static final double PARAMETER = 64;
+  static final Bound PARAMETER = new Bound(23, "u(S + |A||B||C|/det)/cos");
 
   private final Exact3 a;
   private final Exact3 b;
@@ -57,21 +57,28 @@ final class TriangleOracle implements Oracle {
     double length = d.length();
     double det = Math.abs(Exact.toDouble(along)) / length;
     double size = 0;
-    double reach = 0;
-    double nearest = Double.POSITIVE_INFINITY;
-    double farthest = Double.NEGATIVE_INFINITY;
-    for (Exact3 v : corners) {
-      size = Math.max(size, v.length());
-      reach = Math.max(reach, v.cross(d).length() / length);
-      double z = Exact.toDouble(v.dot(d)) / length;
-      nearest = Math.min(nearest, z);
-      farthest = Math.max(farthest, z);
+    double[] away = new double[3];
+    for (int i = 0; i < 3; i++) {
+      size = Math.max(size, corners[i].length());
+      away[i] = corners[i].cross(d).length() / length;
     }
-    double unit = Rounding.U * size * (1 + reach * (farthest - nearest) / det) / length;
-    double band = Rounding.U * size * Math.max(1, reach * reach / det);
-    double inside = distance(corners, d, along.signum()) / (length * band);
+    double stray = Rounding.U * (size + away[0] * away[1] * away[2] / det);
+    double unit = stray * normal.length() / (det * length);
+    double inside = Double.POSITIVE_INFINITY;
+    for (int i = 0; i < 3; i++) {
+      Exact3 p = corners[i];
+      Exact3 q = corners[(i + 1) % 3];
+      double edge = q.minus(p).cross(d).length() / length;
+      double band = Rounding.U * (size + away[i] * away[(i + 1) % 3] / edge);
+      double function = along.signum() * Exact.toDouble(p.cross(q).dot(d)) / length;
+      inside = Math.min(inside, function / (edge * band));
+    }
+    // Past a sharp corner the line may be far from the triangle, though near to both its edges.
+    if (inside < 0) {
+      inside = Math.min(inside, -outside(corners, d, length) / (length * stray));
+    }
     double depth = Exact.toDouble(t) / (2 * rejection(corners, direction, det * length));
-    return List.of(new Crossing(t, unit, Math.min(inside, DECISION * depth)));
+    return List.of(new Crossing(t, unit, Math.min(inside, DECISION.most() * depth)));
   }
 
   /**
@@ -104,26 +111,21 @@ final class TriangleOracle implements Oracle {
         : new Vector3d(v.y(), v.z(), v.x());
   }
 
-  /**
-   * The distance of the line to the nearest edge, below 0 outside, times the direction's length.
-   */
-  private static double distance(Exact3[] corners, Exact3 d, int winding) {
+  /** The distance of a line that passes outside to the nearest edge or corner, times its length. */
+  private static double outside(Exact3[] corners, Exact3 d, double length) {
     double least = Double.POSITIVE_INFINITY;
-    double outside = Double.POSITIVE_INFINITY;
     for (int i = 0; i < 3; i++) {
       Exact3 p = corners[i];
       Exact3 q = corners[(i + 1) % 3];
       Exact3 edge = q.minus(p).cross(d);
       Exact3 toP = p.cross(d);
-      // The edge function is positive on the inner side; length twice for d and the edge's.
-      double function = winding * Exact.toDouble(p.cross(q).dot(d)) / edge.length();
-      double toLine = function * d.length();
-      least = Math.min(least, toLine);
+      least = Math.min(least, toP.length());
       BigDecimal ahead = toP.dot(edge).negate();
-      boolean between = ahead.signum() >= 0 && ahead.compareTo(edge.squared()) <= 0;
-      double toEnds = Math.min(toP.length(), q.cross(d).length());
-      outside = Math.min(outside, between ? Math.abs(toLine) : toEnds);
+      if (ahead.signum() > 0 && ahead.compareTo(edge.squared()) < 0) {
+        double function = Math.abs(Exact.toDouble(p.cross(q).dot(d)));
+        least = Math.min(least, function * length / edge.length());
+      }
     }
-    return least >= 0 ? least : -outside;
+    return least;
   }
 }

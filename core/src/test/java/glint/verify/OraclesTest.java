@@ -45,27 +45,43 @@ class OraclesTest {
   }
 
   @Test
+  void doublesComeBackToWithinTwoUlp() {
+    Dice dice = new Dice(1);
+    for (int i = 0; i < 10_000; i++) {
+      double v = dice.sign() * dice.log(1e-150, 1e150);
+      assertEquals(v, Exact.toDouble(Exact.of(v)), 2 * Math.ulp(v));
+      BigDecimal third = Exact.ratio(Exact.of(v), new BigDecimal(3));
+      assertEquals(v / 3, Exact.toDouble(third), 3 * Math.ulp(v / 3));
+    }
+    assertEquals(0, Exact.toDouble(new BigDecimal("0.000")));
+  }
+
+  @Test
   void everyOracleKnowsItsShape() {
     Sphere sphere = new Sphere(Vector3d.ZERO, 5);
-    assertArrayEquals(new double[] {6, 14}, parameters(new SphereOracle(sphere), v(-10, 3, 0), X));
+    assertArrayEquals(
+        new double[] {6, 14}, parameters(new SphereOracle(sphere), v(-10, 3, 0), X), 1e-14);
     Plane plane = new Plane(v(2, 7, 7), v(-3, 0, 0));
     assertArrayEquals(
-        new double[] {0.5}, parameters(new PlaneOracle(plane), v(1, 0, 0), v(2, 9, 9)));
+        new double[] {0.5}, parameters(new PlaneOracle(plane), v(1, 0, 0), v(2, 9, 9)), 1e-14);
     Box box = new Box(v(-1, -1, -1), v(1, 1, 1));
     assertArrayEquals(
-        new double[] {2, 3}, parameters(new BoxOracle(box), v(-3, -2, 0), v(1, 1, 0)));
+        new double[] {2, 3}, parameters(new BoxOracle(box), v(-3, -2, 0), v(1, 1, 0)), 1e-14);
     Triangle triangle = new Triangle(v(1, 0, 0), v(1, 2, 0), v(1, 0, 2));
     assertArrayEquals(
-        new double[] {4}, parameters(new TriangleOracle(triangle), v(-3, 1, 1), X), "on an edge");
+        new double[] {4},
+        parameters(new TriangleOracle(triangle), v(-3, 1, 1), X),
+        1e-14,
+        "on an edge");
     assertEquals(0, parameters(new TriangleOracle(triangle), v(-3, 1.01, 1), X).length);
     Cylinder cylinder = new Cylinder(Vector3d.ZERO, v(0, 2, 0), 5, 5, true);
     CylinderOracle round = new CylinderOracle(cylinder);
-    assertArrayEquals(new double[] {6, 14}, parameters(round, v(-10, 1, 3), X));
-    assertArrayEquals(new double[] {1, 3}, parameters(round, v(0, -1, 3), v(0, 1, 0)));
+    assertArrayEquals(new double[] {6, 14}, parameters(round, v(-10, 1, 3), X), 1e-14);
+    assertArrayEquals(new double[] {1, 3}, parameters(round, v(0, -1, 3), v(0, 1, 0)), 1e-14);
     Cylinder cone = new Cylinder(Vector3d.ZERO, v(0, 4, 0), 2, 0, false);
     CylinderOracle pointed = new CylinderOracle(cone);
-    assertArrayEquals(new double[] {9, 11}, parameters(pointed, v(-10, 2, 0), X));
-    assertArrayEquals(new double[] {2}, parameters(pointed, v(1, 0, 0), v(0, 1, 0)));
+    assertArrayEquals(new double[] {9, 11}, parameters(pointed, v(-10, 2, 0), X), 1e-14);
+    assertArrayEquals(new double[] {2}, parameters(pointed, v(1, 0, 0), v(0, 1, 0)), 1e-14);
   }
 
   @Test

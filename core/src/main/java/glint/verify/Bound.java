@@ -1,0 +1,4 @@
+package glint.verify;
+
+/** The most that an error may be, and what it is measured in. */
+record Bound(double most, String unit) {}
