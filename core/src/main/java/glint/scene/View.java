@@ -21,7 +21,9 @@ public final class View {
     this.width = width;
     this.height = height;
     forward = camera.lookAt().minus(camera.position()).normalized();
-    right = forward.cross(camera.up().normalized()).normalized();
+    // Next to the zenith the cross product is not quite square to the view: twice is enough.
+    Vector3d across = forward.cross(camera.up().normalized()).normalized();
+    right = across.minus(forward.times(across.dot(forward))).normalized();
     up = right.cross(forward);
     halfWidth = camera.projection().halfWidth(width, height);
     halfHeight = camera.projection().halfHeight(width, height);
