@@ -48,8 +48,7 @@ final class BoxKernel {
       }
     }
     if (near <= far) {
-      boolean outside = near > ray.tMin;
-      hit.offer(ray, outside ? near : far, id, outside ? nearFace : farFace, 0);
+      hit.offerSolid(ray, near, far, id, nearFace, farFace);
     }
   }
 

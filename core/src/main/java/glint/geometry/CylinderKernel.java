@@ -125,8 +125,8 @@ final class CylinderKernel {
     double near = Math.min(one, other);
     double far = Math.max(one, other);
     if (data[at + 9] == 0) {
-      offerSide(near, start, fs, ds, height, ray, hit, id);
-      offerSide(far, start, fs, ds, height, ray, hit, id);
+      offerSide(near, 1, start, fs, ds, height, ray, hit, id);
+      offerSide(far, -1, start, fs, ds, height, ray, hit, id);
       return;
     }
     if (qa == 0) { // parallel to a line of the side: inside up to one point, or from it on
@@ -141,10 +141,18 @@ final class CylinderKernel {
   }
 
   private static void offerSide(
-      double t, double start, double fs, double ds, double height, Ray ray, Hit hit, int id) {
+      double t,
+      int crossing,
+      double start,
+      double fs,
+      double ds,
+      double height,
+      Ray ray,
+      Hit hit,
+      int id) {
     double s = fs + t * ds;
     if (s >= 0 && s <= height) {
-      hit.offer(ray, start + t, id, SIDE, 0);
+      hit.offer(ray, start + t, id, crossing, SIDE, 0);
     }
   }
 
@@ -178,8 +186,7 @@ final class CylinderKernel {
       }
     }
     if (near <= far) {
-      boolean outside = start + near > ray.tMin;
-      hit.offer(ray, start + (outside ? near : far), id, outside ? nearPart : farPart, 0);
+      hit.offerSolid(ray, start + near, start + far, id, nearPart, farPart);
     }
   }
 

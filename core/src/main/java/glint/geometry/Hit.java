@@ -22,6 +22,9 @@ public final class Hit {
   /** Where the primitive hit stands in its arrays. */
   int slot;
 
+  /** Whether the ray enters the surface's inside here (1), leaves it (-1), or only touches (0). */
+  public int crossing;
+
   /** Two numbers that the kernel keeps for itself: barycentrics, or the part that was hit. */
   double u;
 
@@ -57,10 +60,11 @@ public final class Hit {
   }
 
   /** Records a hit if it is in range and closer; equal parameters go to the lower primitive. */
-  void offer(Ray ray, double candidate, int id, double newU, double newV) {
-    if (candidate > ray.tMin && (candidate < t || (candidate == t && id < primitive))) {
+  void offer(Ray ray, double candidate, int id, int newCrossing, double newU, double newV) {
+    if ((candidate < t || (candidate == t && id < primitive)) && ray.reaches(candidate, id)) {
       t = candidate;
       primitive = id;
+      crossing = newCrossing;
       u = newU;
       v = newV;
     }
@@ -79,8 +83,54 @@ public final class Hit {
     nz = sz * inverse;
   }
 
-  /** Turns the normal to the other side. */
+  /**
+   * Records the hit with a solid, which the ray enters at {@code near} and leaves at {@code far}.
+   */
+  void offerSolid(Ray ray, double near, double far, int id, double nearPart, double farPart) {
+    boolean outside = ray.reaches(near, id);
+    int through = near < far ? 1 : 0;
+    if (outside) {
+      offer(ray, near, id, through, nearPart, 0);
+    } else {
+      offer(ray, far, id, -through, farPart, 0);
+    }
+  }
+
+  /** Returns how much further along a ray a point is certain to be clear of this surface. */
+  public double clearance(Ray ray) {
+    return 2 * offset / Math.abs(ray.dx * nx + ray.dy * ny + ray.dz * nz);
+  }
+
+  /** Turns the normal to the side that a ray comes from. */
+  public void face(Ray ray) {
+    if (ray.dx * nx + ray.dy * ny + ray.dz * nz > 0) {
+      nx = -nx;
+      ny = -ny;
+      nz = -nz;
+    }
+  }
+
+  /** Makes this the same hit as another. */
+  public void copy(Hit other) {
+    t = other.t;
+    primitive = other.primitive;
+    slot = other.slot;
+    crossing = other.crossing;
+    u = other.u;
+    v = other.v;
+    px = other.px;
+    py = other.py;
+    pz = other.pz;
+    nx = other.nx;
+    ny = other.ny;
+    nz = other.nz;
+    surface = other.surface;
+    offset = other.offset;
+  }
+
+  /** Turns the inside out. */
   void reverse() {
+    crossing = -crossing;
     nx = -nx;
     ny = -ny;
     nz = -nz;

@@ -23,7 +23,7 @@ final class PlaneKernel {
     double distance =
         (data[at] - ray.ox) * nx + (data[at + 1] - ray.oy) * ny + (data[at + 2] - ray.oz) * nz;
     if (along != 0) {
-      hit.offer(ray, distance / along, id, 0, 0);
+      hit.offer(ray, distance / along, id, along < 0 ? 1 : -1, 0, 0);
     }
   }
 

@@ -57,6 +57,11 @@ public final class Primitives {
     return head.length;
   }
 
+  /** Returns the number of the surface that the primitive in a slot is part of. */
+  public int surface(int slot) {
+    return surface[slot];
+  }
+
   /** Returns what the arrays take in memory. */
   public long bytes() {
     return 8L * head.length + 4L * surface.length + 8L * data.length;

@@ -16,8 +16,13 @@ public final class Ray {
   public double dy;
   public double dz;
 
-  /** Hits at or before this parameter do not count. */
+  /**
+   * Hits before this parameter do not count, nor those at it up to the primitive {@link #after}.
+   */
   public double tMin;
+
+  /** The last primitive at {@link #tMin} itself that does not count; by default none there does. */
+  int after;
 
   // The axis of the largest direction component, the two others in winding order, and the shear.
   int kx;
@@ -39,7 +44,26 @@ public final class Ray {
     this.dy = dy;
     this.dz = dz;
     tMin = 0;
+    after = Hit.NONE;
     prepareShear();
+  }
+
+  /** Makes this the same ray as another. */
+  public void copy(Ray other) {
+    set(other.ox, other.oy, other.oz, other.dx, other.dy, other.dz);
+    tMin = other.tMin;
+    after = other.after;
+  }
+
+  /** Sets this ray to go on behind a hit, in the order of t and then of primitives. */
+  public void goOnAfter(Hit hit) {
+    tMin = hit.t;
+    after = hit.primitive;
+  }
+
+  /** Returns whether a hit is far enough along this ray to count. */
+  boolean reaches(double t, int primitive) {
+    return t > tMin || (t == tMin && primitive > after);
   }
 
   private void prepareShear() {

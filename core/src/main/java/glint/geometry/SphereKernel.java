@@ -59,7 +59,7 @@ final class SphereKernel {
       near = c / q;
       far = q / a;
     }
-    hit.offer(ray, near > ray.tMin ? near : far, id, 0, 0);
+    hit.offerSolid(ray, near, far, id, 0, 0);
   }
 
   /** Projects the point onto the sphere; the offset bounds its rounding (see docs/numerics.md). */

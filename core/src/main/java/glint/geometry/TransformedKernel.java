@@ -34,6 +34,7 @@ final class TransformedKernel {
         row(data, at + 4, world.dx, world.dy, world.dz),
         row(data, at + 8, world.dx, world.dy, world.dz));
     local.tMin = world.tMin;
+    local.after = world.after;
   }
 
   /** Carries a box into the world: the box around its eight moved corners (Arvo 1990). */

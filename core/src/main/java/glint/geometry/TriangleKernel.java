@@ -68,9 +68,12 @@ final class TriangleKernel {
       return;
     }
     double t = (u * az + v * bz + w * cz) * ray.shearZ / det;
-    if (!(t > ray.tMin && t <= hit.t)) {
+    if (!(ray.reaches(t, id) && t <= hit.t)) {
       return;
     }
+
+    // Seen along the ray, the corners of the outside run the way that the sign of det says.
+    int crossing = det > 0 == ray.shearZ > 0 ? 1 : -1;
 
     // Accept only what lies before the origin beyond all rounding (Pharr, Jakob, Humphreys,
     // Physically Based Rendering, 3rd ed., section 3.9.6).
@@ -85,7 +88,7 @@ final class TriangleKernel {
     double deltaT =
         3 * (GAMMA3 * maxE * maxZ + deltaE * maxZ + deltaZ * maxE) * Math.abs(ray.shearZ / det);
     if (t > deltaT) {
-      hit.offer(ray, t, id, u / det, v / det);
+      hit.offer(ray, t, id, crossing, u / det, v / det);
       return;
     }
 
@@ -96,7 +99,7 @@ final class TriangleKernel {
     double nearest = Math.min(side * az, Math.min(side * bz, side * cz));
     boolean ahead = nearest > LEFT * (origin + maxX + maxY + 3 * maxZ);
     if (ahead && !isEdgeOn(data, at, ray)) {
-      hit.offer(ray, t, id, u / det, v / det);
+      hit.offer(ray, t, id, crossing, u / det, v / det);
     }
   }
 

@@ -14,9 +14,18 @@ import glint.math.Check;
  * @param shininess the highlight's exponent, zero or more
  * @param reflection the share of the mirror ray's light that is added
  * @param emission light that the surface gives by itself
+ * @param transparency the share of the light that goes through or is reflected by Fresnel's law
+ * @param interior what the surface encloses; matters where transparency is not black
  */
 public record Material(
-    Rgb ambient, Rgb diffuse, Rgb specular, double shininess, Rgb reflection, Rgb emission) {
+    Rgb ambient,
+    Rgb diffuse,
+    Rgb specular,
+    double shininess,
+    Rgb reflection,
+    Rgb emission,
+    Rgb transparency,
+    Medium interior) {
 
   /** Plain white diffuse, what a surface without a material is made of. */
   public static final Material WHITE =
@@ -29,6 +38,18 @@ public record Material(
     specular.requireLight("specular");
     reflection.requireLight("reflection");
     emission.requireLight("emission");
+    transparency.requireLight("transparency");
     Check.range("shininess", shininess, 0, 1e9);
+  }
+
+  /** Makes an opaque material. */
+  public Material(
+      Rgb ambient, Rgb diffuse, Rgb specular, double shininess, Rgb reflection, Rgb emission) {
+    this(ambient, diffuse, specular, shininess, reflection, emission, Rgb.BLACK, Medium.VACUUM);
+  }
+
+  /** Returns whether light goes through. */
+  public boolean isTransparent() {
+    return !transparency.isBlack();
   }
 }

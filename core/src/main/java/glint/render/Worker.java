@@ -13,6 +13,15 @@ import java.util.Map;
 /** Everything that one thread needs to render pixels, made once and used for every tile. */
 final class Worker {
 
+  /**
+   * The radiance below which a bounce is not followed: a twentieth of a display level where the
+   * sRGB curve is steepest, 12.92 at black.
+   */
+  private static final double NEGLIGIBLE = 0.05 / (255 * 12.92);
+
+  /** The same where the user states the depth: far below what any image shows. */
+  private static final double EXACT = 0x1p-40;
+
   private final Renderer renderer;
   private final Prepared scene;
   private final RenderSettings settings;
@@ -38,7 +47,8 @@ final class Worker {
     this.aovs = aovs;
     view = new View(scene.scene().camera(), settings.width(), settings.height());
     int stated = scene.scene().maxDepth().orElse(RenderSettings.DEFAULT_DEPTH);
-    tracer = new Tracer(scene, settings.maxDepth().orElse(stated));
+    double negligible = settings.maxDepth().isPresent() ? EXACT : NEGLIGIBLE;
+    tracer = new Tracer(scene, settings.maxDepth().orElse(stated), negligible);
     sampler = new SobolSampler(settings.seed());
   }
 

@@ -3,20 +3,41 @@ package glint.scene;
 import glint.accel.Bvh;
 import glint.accel.Intersector;
 import glint.color.Rgb;
+import glint.geometry.Cylinder;
+import glint.geometry.Hit;
 import glint.geometry.Primitives;
+import glint.geometry.Quad;
+import glint.geometry.Ray;
+import glint.geometry.Surface;
+import glint.geometry.Triangle;
 import glint.light.Illumination;
+import glint.math.Vector3d;
 import glint.optics.Material;
+import glint.optics.Medium;
+import java.util.ArrayList;
 import java.util.List;
+import java.util.Map;
+import java.util.Set;
+import java.util.TreeMap;
+import java.util.TreeSet;
 
 /**
  * A scene in the form that rays touch, and the plan of what it needs; immutable, for all workers.
  */
 public final class Prepared {
 
+  /** In place of a medium: none, what is outside of everything. */
+  public static final int OUTSIDE = -1;
+
   private final Scene scene;
   private final RenderPlan plan;
   private final Illumination lights;
   private final Material[] materials;
+
+  /** The different media of the scene, and for each surface the number of its own. */
+  private final List<Medium> media = new ArrayList<>();
+
+  private final int[] mediumOf;
   private final Primitives primitives;
 
   /** The tree over the primitives, or null where the plan does without. */
@@ -24,14 +45,22 @@ public final class Prepared {
 
   private final double radianceBound;
 
+  /** The media that the eye is inside of. */
+  private final int[] mediaAtEye;
+
   private Prepared(Scene scene, Primitives primitives, Illumination lights, RenderPlan plan) {
     this.scene = scene;
     this.lights = lights;
     this.plan = plan;
     materials = scene.placements().stream().map(Placement::material).toArray(Material[]::new);
+    mediumOf = new int[materials.length];
+    for (int i = 0; i < materials.length; i++) {
+      mediumOf[i] = mediumNumber(materials[i]);
+    }
     tree = plan.tree().used() ? Bvh.over(primitives) : null;
     this.primitives = tree == null ? primitives : tree.primitives();
     radianceBound = boundRadiance();
+    mediaAtEye = plan.refraction().used() ? findMediaAtEye() : new int[0];
   }
 
   /** Flattens a scene and decides what it needs. */
@@ -75,6 +104,81 @@ public final class Prepared {
     return materials[surface];
   }
 
+  /**
+   * Returns the number of the medium that a surface encloses, or {@link #OUTSIDE} if it encloses
+   * none: if it is opaque or merely filters light.
+   */
+  public int mediumOf(int surface) {
+    return mediumOf[surface];
+  }
+
+  /** Returns whether a surface is a sheet that encloses nothing by itself. */
+  public boolean isOpen(int surface) {
+    Surface shape = scene.placements().get(surface).surface();
+    return shape instanceof Triangle
+        || shape instanceof Quad
+        || (shape instanceof Cylinder c && !c.capped());
+  }
+
+  /** Returns a medium by its number; outside it is vacuum. */
+  public Medium medium(int number) {
+    return number == OUTSIDE ? Medium.VACUUM : media.get(number);
+  }
+
+  private int mediumNumber(Material material) {
+    Medium interior = material.interior();
+    if (!material.isTransparent() || interior.isVacuum()) {
+      return OUTSIDE;
+    }
+    if (!media.contains(interior)) {
+      media.add(interior);
+    }
+    return media.indexOf(interior);
+  }
+
+  /** Returns the media that the eye is inside of, outermost first; nobody may change the array. */
+  public int[] mediaAtEye() {
+    return mediaAtEye;
+  }
+
+  /**
+   * Looks from the eye along six directions for each surface that encloses a medium: inside is
+   * where the first that meets it leaves it.
+   */
+  private int[] findMediaAtEye() {
+    Vector3d eye = scene.camera().position();
+    Set<Integer> left = new TreeSet<>();
+    Set<Integer> seen = new TreeSet<>();
+    Ray ray = new Ray();
+    Ray local = new Ray();
+    Hit hit = new Hit();
+    for (int i = 0; i < 6; i++) {
+      double[] d = new double[3];
+      d[i / 2] = i % 2 == 0 ? 1 : -1;
+      ray.set(eye.x(), eye.y(), eye.z(), d[0], d[1], d[2]);
+      Map<Integer, Double> nearest = new TreeMap<>();
+      for (int slot = 0; slot < primitives.count(); slot++) {
+        int surface = primitives.surface(slot);
+        if (mediumOf[surface] == OUTSIDE || isOpen(surface) || seen.contains(surface)) {
+          continue;
+        }
+        hit.begin(nearest.getOrDefault(surface, Double.POSITIVE_INFINITY));
+        primitives.intersect(slot, ray, hit, local);
+        if (hit.found()) {
+          nearest.put(surface, hit.t);
+          primitives.resolve(ray, hit, local);
+          if (hit.crossing < 0) {
+            left.add(surface);
+          } else {
+            left.remove(surface);
+          }
+        }
+      }
+      seen.addAll(nearest.keySet());
+    }
+    return left.stream().mapToInt(surface -> mediumOf[surface]).toArray();
+  }
+
   /** Returns the number of things that a ray can hit. */
   public int primitiveCount() {
     return primitives.count();
@@ -93,23 +197,27 @@ public final class Prepared {
   /**
    * Returns an upper bound on the radiance of any ray, in any channel; infinite if there is none.
    *
-   * <p>With L the most that a surface or the background gives by itself and k the largest mirror
-   * factor, a chain of mirrors gives at most L + kL + k²L + … = L / (1 - k).
+   * <p>A surface that gives at most L by itself and passes on the share s of what it gets brings at
+   * most L + sM back where nothing exceeds M: so M = L / (1 - s) is a bound if s &lt; 1, and so is
+   * any M if L = 0 and s = 1. The largest of these and the background bounds all.
    */
   public double radianceBound() {
     return radianceBound;
   }
 
   private double boundRadiance() {
-    double own = Math.max(scene.background().down().max(), scene.background().up().max());
-    double mirror = 0;
+    double bound = Math.max(scene.background().down().max(), scene.background().up().max());
     Rgb light = lights.bound();
     for (Material m : materials) {
       Rgb local = m.emission().plus(m.ambient().times(lights.ambient()));
       Rgb answer = m.diffuse().plus(m.specular());
-      own = Math.max(own, local.max() + (answer.isBlack() ? 0 : answer.max() * light.max()));
-      mirror = Math.max(mirror, m.reflection().max());
+      double given = local.max() + (answer.isBlack() ? 0 : answer.max() * light.max());
+      double passed = m.reflection().plus(m.transparency()).max();
+      if (passed > 1 || (passed == 1 && given > 0)) {
+        return Double.POSITIVE_INFINITY;
+      }
+      bound = Math.max(bound, given == 0 ? 0 : given / (1 - passed));
     }
-    return mirror < 1 ? own / (1 - mirror) : Double.POSITIVE_INFINITY;
+    return bound;
   }
 }

@@ -18,6 +18,7 @@ public record RenderPlan(
     Decision shadows,
     Decision highlights,
     Decision mirrors,
+    Decision refraction,
     Decision sky) {
 
   /** Up to this many bounded primitives a scan of all is faster than a walk through a tree. */
@@ -31,6 +32,7 @@ public record RenderPlan(
         shadows(scene, lights),
         highlights(scene, lights),
         mirrors(scene),
+        refraction(scene),
         sky(scene));
   }
 
@@ -43,12 +45,13 @@ public record RenderPlan(
         new Decision("shadow rays", true, reason),
         new Decision("highlights", true, reason),
         new Decision("mirror rays", true, reason),
+        new Decision("refraction", true, reason),
         new Decision("sky gradient", true, reason));
   }
 
   /** Returns the decisions in the order in which a ray meets them. */
   public List<Decision> decisions() {
-    return List.of(tree, directLight, shadows, highlights, mirrors, sky);
+    return List.of(tree, directLight, shadows, highlights, mirrors, refraction, sky);
   }
 
   private static Decision tree(Primitives primitives) {
@@ -80,8 +83,12 @@ public record RenderPlan(
     if (!light.used()) {
       return new Decision(feature, false, light.reason());
     }
-    return new Decision(
-        feature, true, "opaque surfaces only: any hit before the light ends the search");
+    boolean opaque = scene.placements().stream().noneMatch(p -> p.material().isTransparent());
+    String how =
+        opaque
+            ? "opaque surfaces only: any hit before the light ends the search"
+            : "coloured: all transparent surfaces on the way to the light are walked through";
+    return new Decision(feature, true, how);
   }
 
   private static Decision highlights(Scene scene, Illumination lights) {
@@ -106,6 +113,18 @@ public record RenderPlan(
       return new Decision(feature, false, "no material reflects");
     }
     return new Decision(feature, true, "reflecting surfaces: " + mirrors);
+  }
+
+  private static Decision refraction(Scene scene) {
+    String feature = "refraction";
+    int transparent = count(scene, p -> p.material().isTransparent());
+    if (transparent == 0) {
+      return new Decision(feature, false, "no material is transparent: no interior stack either");
+    }
+    return new Decision(
+        feature,
+        true,
+        "rays branch and keep a stack of media; transparent surfaces: " + transparent);
   }
 
   private static Decision sky(Scene scene) {

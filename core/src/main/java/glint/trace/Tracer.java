@@ -4,14 +4,14 @@ import glint.accel.Intersector;
 import glint.color.Rgb;
 import glint.geometry.Hit;
 import glint.geometry.Ray;
-import glint.light.Illumination;
-import glint.light.LightSample;
-import glint.optics.Highlight;
-import glint.optics.Lobe;
+import glint.optics.Fresnel;
 import glint.optics.Material;
+import glint.optics.Medium;
 import glint.scene.Background;
 import glint.scene.Prepared;
 import glint.scene.RenderPlan;
+import java.util.ArrayList;
+import java.util.List;
 
 /**
  * Computes the radiance that a ray brings back, after Whitted (1980); one per worker.
@@ -21,24 +21,17 @@ import glint.scene.RenderPlan;
  */
 public final class Tracer {
 
-  /**
-   * The radiance below which a bounce is not followed: a twentieth of a display level where the
-   * sRGB curve is steepest, 12.92 at black.
-   */
-  private static final double NEGLIGIBLE = 0.05 / (255 * 12.92);
-
   private final Prepared scene;
   private final RenderPlan plan;
-  private final Illumination lights;
   private final int maxDepth;
   private final double least;
 
   private final Intersector intersector;
-  private final Hit hit = new Hit();
-  private final Hit blocker = new Hit();
-  private final Ray shadowRay = new Ray();
-  private final LightSample light = new LightSample();
   private final RayCounts counts = new RayCounts();
+  private final Hit hit = new Hit();
+  private final Boundary boundary;
+  private final DirectLight direct;
+  private final List<Frame> frames = new ArrayList<>();
 
   /** The radiance found by the last call of {@link #trace}, linear. */
   public double r;
@@ -46,24 +39,25 @@ public final class Tracer {
   public double g;
   public double b;
 
-  /** The normal of the surface at the hit being shaded, on the side of the incoming ray. */
-  private double nx;
-
-  private double ny;
-  private double nz;
+  /** A bound, in any channel, on the radiance that the last call of {@link #trace} left out. */
+  public double cut;
 
   /**
    * Makes a tracer of its own scratch.
    *
    * @param maxDepth the most successive bounces
+   * @param negligible the radiance below which a bounce is not followed
    */
-  public Tracer(Prepared scene, int maxDepth) {
+  public Tracer(Prepared scene, int maxDepth, double negligible) {
     this.scene = scene;
     this.plan = scene.plan();
-    this.lights = scene.lights();
     this.intersector = scene.intersector();
     this.maxDepth = maxDepth;
-    this.least = NEGLIGIBLE / scene.radianceBound();
+    // Where radiance has no bound, a ray is given up as if display white were the most it brings.
+    double bound = scene.radianceBound();
+    this.least = negligible / (bound < Double.POSITIVE_INFINITY ? bound : 1);
+    boundary = new Boundary(scene, intersector);
+    direct = new DirectLight(scene, intersector, counts);
   }
 
   /** Returns the rays traced so far. */
@@ -74,149 +68,208 @@ public final class Tracer {
   /**
    * Traces a camera ray and leaves its radiance in {@link #r}, {@link #g} and {@link #b}.
    *
-   * @param ray of unit direction; overwritten
+   * @param ray of unit direction
    * @param tMax where the far clipping plane ends it
    */
   public void trace(Ray ray, double tMax) {
     r = 0;
     g = 0;
     b = 0;
+    cut = 0;
     counts.camera++;
-    double weightR = 1;
-    double weightG = 1;
-    double weightB = 1;
-    double end = tMax;
-    for (int depth = 0; ; depth++) {
-      counts.maxDepth = Math.max(counts.maxDepth, depth);
-      intersector.closest(ray, end, hit);
-      if (!hit.found()) {
-        addBackground(ray, weightR, weightG, weightB);
-        return;
-      }
-      resolve(ray);
-      Material material = scene.material(hit.surface);
-      addLocal(material, ray, weightR, weightG, weightB);
-      if (!plan.mirrors().used() || depth == maxDepth || material.reflection().isBlack()) {
-        return;
-      }
-      weightR *= material.reflection().r();
-      weightG *= material.reflection().g();
-      weightB *= material.reflection().b();
-      if (!(Math.max(weightR, Math.max(weightG, weightB)) > least)) {
-        return;
-      }
-      reflect(ray);
-      end = Double.POSITIVE_INFINITY;
-      counts.reflection++;
+    Frame first = frame(0);
+    first.ray.copy(ray);
+    first.begin(tMax, 1, 1, 1);
+    first.interior.clear();
+    for (int medium : scene.mediaAtEye()) {
+      first.interior.enter(medium);
     }
+    follow(0, 0);
   }
 
   /**
    * Finds what a camera ray sees first, without shading it.
    *
-   * @return the hit, resolved if it was found
+   * @return the hit, resolved and facing the ray if it was found
    */
   public Hit look(Ray ray, double tMax) {
     counts.camera++;
     intersector.closest(ray, tMax, hit);
     if (hit.found()) {
-      resolve(ray);
+      intersector.resolve(ray, hit);
+      hit.face(ray);
     }
     return hit;
   }
 
-  private void resolve(Ray ray) {
-    intersector.resolve(ray, hit);
-    // Turn the normal to the side that the ray comes from.
-    boolean behind = ray.dx * hit.nx + ray.dy * hit.ny + ray.dz * hit.nz > 0;
-    nx = behind ? -hit.nx : hit.nx;
-    ny = behind ? -hit.ny : hit.ny;
-    nz = behind ? -hit.nz : hit.nz;
+  /** Returns the last ray that the last call of {@link #trace} refracted most deeply. */
+  Ray deepest() {
+    return frames.get(Math.min(counts.maxDepth, frames.size() - 1)).ray;
   }
 
-  private void addBackground(Ray ray, double weightR, double weightG, double weightB) {
+  /** Follows a ray and then its mirror image, again and again; what is refracted goes deeper. */
+  private void follow(int level, int bounces) {
+    Frame f = frame(level);
+    for (int depth = bounces; ; depth++) {
+      counts.maxDepth = Math.max(counts.maxDepth, depth);
+      if (!advance(f)) {
+        addBackground(f);
+        return;
+      }
+      Material material = scene.material(boundary.surface);
+      direct.find(material, hit, f.ray, f.interior);
+      r += f.weightR * direct.r;
+      g += f.weightG * direct.g;
+      b += f.weightB * direct.b;
+      if (boundary.opaque && !plan.mirrors().used()) {
+        return;
+      }
+      double share = 0;
+      boolean refracts = false;
+      int deeper = depth + 1;
+      if (!boundary.opaque) {
+        share = refract(f, frame(level + 1), material.transparency());
+        deeper = boundary.eta == 1 ? depth : depth + 1; // straight on is no bounce
+        refracts = share < 1 && matters(frame(level + 1), deeper);
+      }
+      Rgb mirror = material.reflection();
+      Rgb fresnel = material.transparency();
+      f.weightR *= mirror.r() + share * fresnel.r();
+      f.weightG *= mirror.g() + share * fresnel.g();
+      f.weightB *= mirror.b() + share * fresnel.b();
+      boolean reflects = matters(f, depth + 1);
+      if (reflects) {
+        reflect(f);
+      }
+      if (refracts) {
+        counts.refraction++;
+        follow(level + 1, deeper);
+      }
+      if (!reflects) {
+        return;
+      }
+    }
+  }
+
+  /** Goes to the next surface that is seen; returns whether there is one. */
+  private boolean advance(Frame f) {
+    while (true) {
+      intersector.closest(f.ray, f.end, hit);
+      if (!hit.found()) {
+        absorb(f, Double.POSITIVE_INFINITY);
+        return false;
+      }
+      intersector.resolve(f.ray, hit);
+      hit.face(f.ray);
+      if (!plan.refraction().used()) {
+        boundary.surface = hit.surface;
+        boundary.opaque = true;
+        return true;
+      }
+      f.interior.complete(hit);
+      absorb(f, hit.t);
+      boundary.meet(f.ray, f.end, hit, f.interior);
+      if (boundary.opaque || boundary.visible) {
+        return true;
+      }
+      f.interior.copy(boundary.beyond);
+    }
+  }
+
+  /** Fades the ray, by Beer and Lambert's law, from where that was last done up to a parameter. */
+  private void absorb(Frame f, double t) {
+    Medium medium = scene.medium(f.interior.current());
+    if (medium.absorbs()) {
+      f.weightR *= medium.transmission(medium.absorption().r(), t - f.from);
+      f.weightG *= medium.transmission(medium.absorption().g(), t - f.from);
+      f.weightB *= medium.transmission(medium.absorption().b(), t - f.from);
+    }
+    f.from = t;
+  }
+
+  private void addBackground(Frame f) {
     Background sky = scene.scene().background();
     Rgb up = sky.up();
     if (!plan.sky().used()) {
-      r += weightR * up.r();
-      g += weightG * up.g();
-      b += weightB * up.b();
+      r += f.weightR * up.r();
+      g += f.weightG * up.g();
+      b += f.weightB * up.b();
       return;
     }
     Rgb down = sky.down();
-    double s = (1 + ray.dy) / 2;
-    r += weightR * (down.r() + s * (up.r() - down.r()));
-    g += weightG * (down.g() + s * (up.g() - down.g()));
-    b += weightB * (down.b() + s * (up.b() - down.b()));
+    double s = (1 + f.ray.dy) / 2;
+    r += f.weightR * (down.r() + s * (up.r() - down.r()));
+    g += f.weightG * (down.g() + s * (up.g() - down.g()));
+    b += f.weightB * (down.b() + s * (up.b() - down.b()));
   }
 
-  /** Adds what the surface gives by itself: emission, ambient light, and the lights it sees. */
-  private void addLocal(
-      Material material, Ray ray, double weightR, double weightG, double weightB) {
-    Rgb emission = material.emission();
-    Rgb ambient = material.ambient();
-    Rgb everywhere = lights.ambient();
-    double localR = emission.r() + ambient.r() * everywhere.r();
-    double localG = emission.g() + ambient.g() * everywhere.g();
-    double localB = emission.b() + ambient.b() * everywhere.b();
-    if (plan.directLight().used()) {
-      Rgb diffuse = material.diffuse();
-      Rgb specular = material.specular();
-      boolean shiny = plan.highlights().used() && !specular.isBlack();
-      for (int i = 0; i < lights.count(); i++) {
-        if (!lights.at(i, hit, light)) {
-          continue;
-        }
-        double cos = nx * light.lx + ny * light.ly + nz * light.lz;
-        if (!(cos > 0) || shadowed(i)) {
-          continue;
-        }
-        double lobe = shiny ? highlight(ray, cos, material.shininess()) : 0;
-        localR += light.r * (diffuse.r() * cos + specular.r() * lobe);
-        localG += light.g * (diffuse.g() * cos + specular.g() * lobe);
-        localB += light.b * (diffuse.b() * cos + specular.b() * lobe);
-      }
+  /** Returns whether a ray is worth following; if not, what it could bring is cut off. */
+  private boolean matters(Frame f, int depth) {
+    double weight = Math.max(f.weightR, Math.max(f.weightG, f.weightB));
+    if (weight > least && depth <= maxDepth) {
+      return true;
     }
-    r += weightR * localR;
-    g += weightG * localG;
-    b += weightB * localB;
+    cut += weight > 0 ? weight * scene.radianceBound() : 0;
+    return false;
   }
 
-  private boolean shadowed(int i) {
-    if (!plan.shadows().used()) {
-      return false;
-    }
-    counts.shadow++;
-    double end = lights.shadowRay(i, hit, shadowRay);
-    return intersector.any(shadowRay, end, blocker);
-  }
-
-  /** Returns the highlight's lobe, 0 to 1, for the light in {@link #light} at {@code cos}. */
-  private double highlight(Ray ray, double cos, double shininess) {
-    counts.highlights++;
-    double angle;
-    if (scene.scene().highlight() == Highlight.BLINN) {
-      double hx = light.lx - ray.dx;
-      double hy = light.ly - ray.dy;
-      double hz = light.lz - ray.dz;
-      double h = Math.sqrt(hx * hx + hy * hy + hz * hz);
-      angle = h > 0 ? (nx * hx + ny * hy + nz * hz) / h : 0;
-    } else {
-      double mx = 2 * cos * nx - light.lx;
-      double my = 2 * cos * ny - light.ly;
-      double mz = 2 * cos * nz - light.lz;
-      angle = -(mx * ray.dx + my * ray.dy + mz * ray.dz);
-    }
-    return Lobe.of(Math.min(Math.max(angle, 0), 1), shininess);
-  }
-
-  /** Sets the ray to its mirror image about the normal, from the hit. */
-  private void reflect(Ray ray) {
-    double twice = 2 * (ray.dx * nx + ray.dy * ny + ray.dz * nz);
-    double dx = ray.dx - twice * nx;
-    double dy = ray.dy - twice * ny;
-    double dz = ray.dz - twice * nz;
+  /** Sets a frame's ray to its mirror image about the normal, from the hit. */
+  private void reflect(Frame f) {
+    Ray ray = f.ray;
+    double twice = 2 * (ray.dx * hit.nx + ray.dy * hit.ny + ray.dz * hit.nz);
+    double dx = ray.dx - twice * hit.nx;
+    double dy = ray.dy - twice * hit.ny;
+    double dz = ray.dz - twice * hit.nz;
     double length = Math.sqrt(dx * dx + dy * dy + dz * dz);
     hit.spawn(dx / length, dy / length, dz / length, ray);
+    f.begin(Double.POSITIVE_INFINITY, f.weightR, f.weightG, f.weightB);
+    counts.reflection++;
+  }
+
+  /**
+   * Sets a deeper frame to what goes through the boundary, bent by Snell's law.
+   *
+   * @return the share that is reflected by Fresnel's law; if it is 1, nothing goes through
+   */
+  private double refract(Frame f, Frame through, Rgb transparency) {
+    Ray ray = f.ray;
+    double eta = boundary.eta;
+    double cosIn = -(ray.dx * hit.nx + ray.dy * hit.ny + ray.dz * hit.nz);
+    cosIn = Math.min(Math.max(cosIn, 0), 1);
+    double cosOut = Fresnel.cosOut(cosIn, eta);
+    double share = Fresnel.reflectance(cosIn, cosOut, eta);
+    if (share == 1) {
+      return 1;
+    }
+    through.interior.copy(boundary.beyond);
+    double rest = 1 - share;
+    double wr = f.weightR * transparency.r() * rest;
+    double wg = f.weightG * transparency.g() * rest;
+    double wb = f.weightB * transparency.b() * rest;
+    if (eta == 1) { // straight on, on the very same line
+      through.ray.copy(ray);
+      through.begin(f.end, wr, wg, wb);
+      through.from = f.from;
+      return share;
+    }
+    double along = eta * cosIn - cosOut;
+    double dx = eta * ray.dx + along * hit.nx;
+    double dy = eta * ray.dy + along * hit.ny;
+    double dz = eta * ray.dz + along * hit.nz;
+    double length = Math.sqrt(dx * dx + dy * dy + dz * dz);
+    hit.spawn(dx / length, dy / length, dz / length, through.ray);
+    through.begin(Double.POSITIVE_INFINITY, wr, wg, wb);
+    if (boundary.several) { // what coincides here is crossed already
+      through.ray.tMin = hit.clearance(through.ray);
+    }
+    return share;
+  }
+
+  /** Returns the frame of a level, made when it is first needed. */
+  private Frame frame(int level) {
+    while (frames.size() <= level) {
+      frames.add(new Frame(scene));
+    }
+    return frames.get(level);
   }
 }

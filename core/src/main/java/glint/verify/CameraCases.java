@@ -156,7 +156,7 @@ final class CameraCases {
       double[] pixel = Pictures.render(scene, Set.of()).image().rgb();
       Ray ray = new Ray();
       double end = new View(camera, 1, 1).ray(0.5, 0.5, ray);
-      Tracer tracer = new Tracer(Prepared.of(scene), RenderSettings.DEFAULT_DEPTH);
+      Tracer tracer = new Tracer(Prepared.of(scene), RenderSettings.DEFAULT_DEPTH, 0);
       tracer.trace(ray, end);
       tally.check(pixel[0] == tracer.r && pixel[1] == tracer.g && pixel[2] == tracer.b);
     }

@@ -21,6 +21,7 @@ import glint.math.Quaternion;
 import glint.math.Transform;
 import glint.math.Vector3d;
 import glint.optics.Material;
+import glint.optics.Medium;
 import glint.scene.Background;
 import glint.scene.Camera;
 import glint.scene.Placement;
@@ -92,7 +93,22 @@ class RendererTest {
           Transform.scale(new Vector3d(1, 0.5, 0.7))
               .then(Transform.rotate(Quaternion.aboutAxis(new Vector3d(1, 0, 0), 40)))
               .then(Transform.translate(v(0.5, -0.4, 2.5)));
-      return scene.place(new Placement(new Sphere(Vector3d.ZERO, scale * 0.6), squash, mirror));
+      scene.place(new Placement(new Sphere(Vector3d.ZERO, scale * 0.6), squash, mirror));
+      scene.place(Placement.of(new Sphere(v(-0.8, -0.2, 3), scale * 0.5), glass(1.5, 1)));
+      return scene.place(Placement.of(new Sphere(v(-0.4, -0.4, 3), scale * 0.4), glass(1.3, 0)));
+    }
+
+    private Material glass(double ior, int priority) {
+      Rgb absorption = new Rgb(0.1, 0.5, 0.3).times(1 / scale);
+      return new Material(
+          Rgb.BLACK,
+          Rgb.BLACK,
+          Rgb.grey(0.3),
+          60,
+          Rgb.BLACK,
+          Rgb.BLACK,
+          Rgb.grey(0.9),
+          new Medium(ior, absorption, priority));
     }
 
     private static Projection lens() {

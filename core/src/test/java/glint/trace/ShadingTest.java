@@ -48,7 +48,7 @@ class ShadingTest {
 
   /** The red channel of the ray from one point towards another. */
   private static double radiance(Scene.Builder scene, int depth, Vector3d from, Vector3d to) {
-    Tracer tracer = new Tracer(Prepared.of(scene.build()), depth);
+    Tracer tracer = new Tracer(Prepared.of(scene.build()), depth, 0.05 / (255 * 12.92));
     Vector3d d = to.minus(from).normalized();
     Ray ray = new Ray();
     ray.set(from.x(), from.y(), from.z(), d.x(), d.y(), d.z());
