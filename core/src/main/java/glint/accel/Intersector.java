@@ -20,10 +20,13 @@ public final class Intersector {
   private static final double LEAST_COMPONENT = 1e-150;
 
   /**
-   * How far, in roundings of the largest number at hand, a kernel's idea of a hit may lie off the
-   * primitive, with room for the slab's own: see docs/numerics.md.
+   * How far, in units of u times the largest coordinate at hand, a kernel's hit may lie off its
+   * primitive, with room for the slab's own rounding.
+   *
+   * <p>The widest band of any kernel is the cylinder's, 36u(|o - c| + size), and that sum is at
+   * most 2√3 + 1 times the largest coordinate: 161u. See docs/numerics.md.
    */
-  private static final double SLACK = 32 * 0x1p-53;
+  private static final double SLACK = 256 * 0x1p-53;
 
   /** In place of a node: nothing. No leaf is packed like that. */
   private static final int END = Integer.MIN_VALUE;

@@ -14,18 +14,32 @@ import glint.math.Vector3d;
 public record Cylinder(Vector3d base, Vector3d top, double radius, double topRadius, boolean capped)
     implements Surface {
 
+  /**
+   * The most that the radius may change in a unit of height, lest its square times a length's
+   * overflow.
+   */
+  private static final double FLATTEST = 1e50;
+
   /** Checks that the axis has a length, and the radii are not negative nor both zero. */
   public Cylinder {
     Check.finite("base", base);
     Check.finite("top", top);
-    if (base.equals(top)) {
+    Vector3d axis = top.minus(base);
+    if (axis.maxAbs() == 0) {
       throw new BadValueException("top", "must differ from base, but both are " + base);
+    }
+    double height = axis.dot(axis.normalized());
+    if (height < Check.SMALLEST) {
+      throw new BadValueException("top", "must be at least 1e-100 from base, but is " + height);
     }
     if (radius != 0 || topRadius == 0) {
       Check.positive("radius", radius);
     }
     if (topRadius != 0) {
       Check.positive("top_radius", topRadius);
+    }
+    if (Math.abs(topRadius - radius) > FLATTEST * height) {
+      throw new BadValueException("top", "is too near to base for such radii: at " + height);
     }
   }
 }

@@ -16,6 +16,9 @@ final class CylinderKernel {
   /** How many doubles a cylinder takes. */
   static final int SIZE = 10;
 
+  /** What is farther off the axis than this share of the widest radius beyond it is no hit. */
+  private static final double MARGIN = 0x1p-42;
+
   private static final int SIDE = 0;
   private static final int BASE = 1;
   private static final int TOP = 2;
@@ -124,9 +127,26 @@ final class CylinderKernel {
     double other = cancels ? qc / q : (qb > 0 ? -qb + root : -qb - root) / qa;
     double near = Math.min(one, other);
     double far = Math.max(one, other);
+    // A flat cone's roots know where along the axis they are, but hardly how far off it.
+    double middle = 0;
+    double limit = Double.POSITIVE_INFINITY;
+    if (slope * slope > 1 && across > 0) {
+      double widest = Math.max(radius, radius + slope * height);
+      double along = lx * dx + ly * dy + lz * dz;
+      middle = -along / across;
+      double room = widest * widest * (1 + MARGIN) - (l2 + middle * along);
+      if (room < 0) {
+        return;
+      }
+      limit = Math.sqrt(room / across);
+    }
     if (data[at + 9] == 0) {
-      offerSide(near, 1, start, fs, ds, height, ray, hit, id);
-      offerSide(far, -1, start, fs, ds, height, ray, hit, id);
+      if (Math.abs(near - middle) <= limit) {
+        offerSide(near, 1, start, fs, ds, height, ray, hit, id);
+      }
+      if (Math.abs(far - middle) <= limit) {
+        offerSide(far, -1, start, fs, ds, height, ray, hit, id);
+      }
       return;
     }
     if (qa == 0) { // parallel to a line of the side: inside up to one point, or from it on
@@ -137,6 +157,8 @@ final class CylinderKernel {
       near = widening > 0 ? far : Double.NEGATIVE_INFINITY;
       far = widening > 0 ? Double.POSITIVE_INFINITY : Math.min(one, other);
     }
+    near = Math.max(near, middle - limit);
+    far = Math.min(far, middle + limit);
     offerSolid(near, far, start, fs, ds, height, ray, hit, id);
   }
 
@@ -208,12 +230,18 @@ final class CylinderKernel {
     int part = (int) hit.u;
     if (part == SIDE) {
       s = Math.min(Math.max(s, 0), height);
-      double length = Math.sqrt(wx * wx + wy * wy + wz * wz);
-      double unit = length > 0 ? 1 / length : 0;
-      double tilt = 1 / Math.sqrt(1 + slope * slope);
-      hit.nx = (wx * unit - slope * ax) * tilt;
-      hit.ny = (wy * unit - slope * ay) * tilt;
-      hit.nz = (wz * unit - slope * az) * tilt;
+      double length2 = wx * wx + wy * wy + wz * wz;
+      double along = wx * ax + wy * ay + wz * az;
+      if (!(length2 >= Double.MIN_NORMAL && along * along < 0.25 * length2)) {
+        // At a tip, or from so far that rounding hides where around the axis: anywhere is as good.
+        boolean steep = Math.abs(ax) < 0.6;
+        wx = steep ? 0 : -az;
+        wy = steep ? az : 0;
+        wz = steep ? -ay : ax;
+        length2 = wx * wx + wy * wy + wz * wz;
+      }
+      double unit = 1 / Math.sqrt(length2);
+      hit.setNormal(wx * unit - slope * ax, wy * unit - slope * ay, wz * unit - slope * az);
       double stretch = (radius + slope * s) * unit;
       wx *= stretch;
       wy *= stretch;

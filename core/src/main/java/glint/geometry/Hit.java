@@ -13,6 +13,12 @@ public final class Hit {
   /** The {@link #primitive} of a search that has found nothing. */
   public static final int NONE = Integer.MAX_VALUE;
 
+  /**
+   * No hit is farther than this along a ray of unit direction: no two points of bounded surfaces
+   * are, and where planes end, no one sees.
+   */
+  public static final double FARTHEST = 0x1p336;
+
   /** The parameter of the closest hit so far, or the end of the search. */
   public double t;
 
@@ -48,9 +54,9 @@ public final class Hit {
   /** How far along the normal a point is certain to lie off the surface, in scene units. */
   double offset;
 
-  /** Begins a search for hits up to and including {@code tMax}; an infinite t is never a hit. */
+  /** Begins a search for hits up to and including {@code tMax}, but never beyond the farthest. */
   public void begin(double tMax) {
-    t = Math.min(tMax, Double.MAX_VALUE);
+    t = Math.min(tMax, FARTHEST);
     primitive = NONE;
   }
 
@@ -60,8 +66,12 @@ public final class Hit {
   }
 
   /** Records a hit if it is in range and closer; equal parameters go to the lower primitive. */
-  void offer(Ray ray, double candidate, int id, int newCrossing, double newU, double newV) {
-    if ((candidate < t || (candidate == t && id < primitive)) && ray.reaches(candidate, id)) {
+  void offer(Ray ray, double local, int id, int newCrossing, double newU, double newV) {
+    double candidate = local * ray.unit;
+    if (candidate > 0
+        && candidate >= ray.least
+        && (candidate < t || (candidate == t && id < primitive))
+        && ray.reaches(local, id)) {
       t = candidate;
       primitive = id;
       crossing = newCrossing;
@@ -72,8 +82,8 @@ public final class Hit {
 
   /** Sets the normal to the unit vector of a direction of any length but zero. */
   void setNormal(double x, double y, double z) {
-    // Divide by the largest component first, so that no square overflows or vanishes.
-    double scale = 1 / Math.max(Math.abs(x), Math.max(Math.abs(y), Math.abs(z)));
+    // Divide by a power of two first, so that no square overflows or vanishes.
+    double scale = Ray.power(-Ray.exponent(x, y, z));
     double sx = x * scale;
     double sy = y * scale;
     double sz = z * scale;
@@ -143,18 +153,23 @@ public final class Hit {
   }
 
   /**
-   * Sets {@code ray} to lead from this point to a target, which it reaches at {@code t = 1}.
+   * Sets {@code ray} to lead from this point to a target, with a direction of length 1 to 4.
    *
-   * <p>The target itself is no part of the way: search it with {@link #BEFORE_TARGET}.
+   * @return the last parameter before the target, which is no part of the way
    */
-  public void spawnTo(double x, double y, double z, Ray ray) {
+  public double spawnTo(double x, double y, double z, Ray ray) {
     double side = (x - px) * nx + (y - py) * ny + (z - pz) * nz < 0 ? -offset : offset;
     double ox = px + side * nx;
     double oy = py + side * ny;
     double oz = pz + side * nz;
-    ray.set(ox, oy, oz, x - ox, y - oy, z - oz);
+    double dx = x - ox;
+    double dy = y - oy;
+    double dz = z - oz;
+    int exponent = Ray.exponent(dx, dy, dz);
+    double scale = Ray.power(-exponent);
+    ray.set(ox, oy, oz, dx * scale, dy * scale, dz * scale);
+    return Ray.power(exponent) * BEFORE_ONE;
   }
 
-  /** The last parameter before the target of {@link #spawnTo}. */
-  public static final double BEFORE_TARGET = 1 - 0x1p-53;
+  private static final double BEFORE_ONE = 1 - 0x1p-53;
 }

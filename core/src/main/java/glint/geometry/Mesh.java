@@ -2,6 +2,9 @@ package glint.geometry;
 
 import glint.math.BadValueException;
 import glint.math.Check;
+import glint.math.Vector3d;
+import java.util.ArrayList;
+import java.util.List;
 
 /**
  * Triangles that share corners; its arrays are never changed once it is made.
@@ -43,6 +46,25 @@ public final class Mesh implements Surface {
   /** Returns the number of triangles. */
   public int triangles() {
     return corners.length / 3;
+  }
+
+  /** Returns the corners of the box around all points; none if there are none. */
+  List<Vector3d> corners() {
+    double[] least = new double[3];
+    double[] greatest = new double[3];
+    for (int i = 0; i < points.length; i++) {
+      least[i % 3] = i < 3 ? points[i] : Math.min(least[i % 3], points[i]);
+      greatest[i % 3] = i < 3 ? points[i] : Math.max(greatest[i % 3], points[i]);
+    }
+    List<Vector3d> corners = new ArrayList<>();
+    for (int i = 0; i < 8; i++) {
+      corners.add(
+          new Vector3d(
+              (i & 1) == 0 ? least[0] : greatest[0],
+              (i & 2) == 0 ? least[1] : greatest[1],
+              (i & 4) == 0 ? least[2] : greatest[2]));
+    }
+    return corners;
   }
 
   /** Returns one coordinate, 0 to 2, of a corner, 0 to 2, of a triangle. */

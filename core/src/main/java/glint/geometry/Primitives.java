@@ -136,8 +136,11 @@ public final class Primitives {
     hit.surface = surface[slot];
     if (k >= TRANSFORMED) {
       TransformedKernel.toObject(data, at, ray, local);
+      double t = hit.t;
+      hit.t = t / local.unit;
       resolve(k - TRANSFORMED, at + TransformedKernel.SIZE, local, hit);
       TransformedKernel.toWorld(data, at, hit);
+      hit.t = t;
     } else {
       resolve(k, at, ray, hit);
     }
@@ -229,7 +232,7 @@ public final class Primitives {
       } else if (shape instanceof Triangle t) {
         addFlat(List.of(t.a(), t.b(), t.c()), toWorld, number);
       } else if (shape instanceof Plane p) {
-        Vector3d normal = toWorld.normal(p.normal());
+        Vector3d normal = toWorld.normal(p.normal().normalized());
         put(PLANE, PlaneKernel.pack(toWorld.point(p.point()), normal), number);
       } else if (shape instanceof Quad q) {
         Vector3d b = q.corner().plus(q.edge1());
@@ -272,7 +275,10 @@ public final class Primitives {
         Vector3d center = toWorld.point(s.center());
         put(SPHERE, SphereKernel.pack(center, scale * s.radius()), number);
       } else {
-        putTransformed(SPHERE, toWorld, SphereKernel.pack(s.center(), s.radius()), number);
+        double unit = objectUnit(toWorld);
+        Vector3d center = s.center().times(unit);
+        double[] own = SphereKernel.pack(center, unit * s.radius());
+        putTransformed(SPHERE, toWorld, unit, own, number);
       }
     }
 
@@ -280,7 +286,9 @@ public final class Primitives {
       if (toWorld.isIdentity()) {
         put(BOX, BoxKernel.pack(b.min(), b.max()), number);
       } else {
-        putTransformed(BOX, toWorld, BoxKernel.pack(b.min(), b.max()), number);
+        double unit = objectUnit(toWorld);
+        double[] own = BoxKernel.pack(b.min().times(unit), b.max().times(unit));
+        putTransformed(BOX, toWorld, unit, own, number);
       }
     }
 
@@ -295,8 +303,12 @@ public final class Primitives {
         double topR = scale * c.topRadius();
         put(CYLINDER, CylinderKernel.pack(base, turned, r, topR, c.capped()), number);
       } else {
-        double[] own = CylinderKernel.pack(c.base(), axis, c.radius(), c.topRadius(), c.capped());
-        putTransformed(CYLINDER, toWorld, own, number);
+        double unit = objectUnit(toWorld);
+        Vector3d base = c.base().times(unit);
+        double r = unit * c.radius();
+        double topR = unit * c.topRadius();
+        double[] own = CylinderKernel.pack(base, axis.times(unit), r, topR, c.capped());
+        putTransformed(CYLINDER, toWorld, unit, own, number);
       }
     }
 
@@ -347,9 +359,20 @@ public final class Primitives {
       }
     }
 
-    private void putTransformed(int k, Transform toWorld, double[] own, int number) {
-      conditioning = Math.max(conditioning, toWorld.conditioning());
-      put(k + TRANSFORMED, TransformedKernel.pack(toWorld, own), number);
+    /**
+     * The power of two by which object space is multiplied, so that no length grows by much on its
+     * way there: what can be held in the world can be held there.
+     */
+    private static double objectUnit(Transform toWorld) {
+      return Math.scalb(1.0, -Math.getExponent(toWorld.inverted().largest()));
+    }
+
+    private void putTransformed(int k, Transform toWorld, double unit, double[] data, int number) {
+      double own = k == BOX ? toWorld.conditioning() : toWorld.flattening();
+      conditioning = Math.max(conditioning, own);
+      double back = 1 / unit;
+      Transform scaled = Transform.scale(new Vector3d(back, back, back)).then(toWorld);
+      put(k + TRANSFORMED, TransformedKernel.pack(scaled, data), number);
     }
 
     /** Adds a primitive under the next number, unless it is a triangle that is never hit. */

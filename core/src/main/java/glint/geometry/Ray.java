@@ -24,6 +24,12 @@ public final class Ray {
   /** The last primitive at {@link #tMin} itself that does not count; by default none there does. */
   int after;
 
+  /** What a kernel's parameter is multiplied by to get that of the ray in the world. */
+  double unit = 1;
+
+  /** The world's tMin, where {@link #tMin} is that of an object. */
+  double least;
+
   // The axis of the largest direction component, the two others in winding order, and the shear.
   int kx;
   int ky;
@@ -64,6 +70,16 @@ public final class Ray {
   /** Returns whether a hit is far enough along this ray to count. */
   boolean reaches(double t, int primitive) {
     return t > tMin || (t == tMin && primitive > after);
+  }
+
+  /** Returns the exponent of the largest component: at least -1023. */
+  static int exponent(double x, double y, double z) {
+    return Math.getExponent(Math.max(Math.abs(x), Math.max(Math.abs(y), Math.abs(z))));
+  }
+
+  /** Returns 2 to a power from -1022 to 1023. */
+  static double power(int exponent) {
+    return Double.longBitsToDouble((long) (exponent + 1023) << 52);
   }
 
   private void prepareShear() {

@@ -71,10 +71,11 @@ final class SphereKernel {
     double x = ray.ox - cx + hit.t * ray.dx;
     double y = ray.oy - cy + hit.t * ray.dy;
     double z = ray.oz - cz + hit.t * ray.dz;
-    double inverse = 1 / Math.sqrt(x * x + y * y + z * z);
-    hit.nx = x * inverse;
-    hit.ny = y * inverse;
-    hit.nz = z * inverse;
+    if (x == 0 && y == 0 && z == 0) { // from so far that rounding leaves only the centre
+      hit.setNormal(-ray.dx, -ray.dy, -ray.dz);
+    } else {
+      hit.setNormal(x, y, z);
+    }
     hit.px = cx + r * hit.nx;
     hit.py = cy + r * hit.ny;
     hit.pz = cz + r * hit.nz;

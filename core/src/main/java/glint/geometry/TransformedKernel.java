@@ -24,16 +24,25 @@ final class TransformedKernel {
     return data;
   }
 
-  /** Sets {@code local} to the ray as object space sees it. */
+  /**
+   * Sets {@code local} to the ray as object space sees it, its direction divided by a power of two
+   * to have a length of 1 to 4.
+   */
   static void toObject(double[] data, int at, Ray world, Ray local) {
+    double dx = row(data, at, world.dx, world.dy, world.dz);
+    double dy = row(data, at + 4, world.dx, world.dy, world.dz);
+    double dz = row(data, at + 8, world.dx, world.dy, world.dz);
+    int exponent = Ray.exponent(dx, dy, dz);
+    local.unit = Ray.power(-exponent);
     local.set(
         row(data, at, world.ox, world.oy, world.oz) + data[at + 3],
         row(data, at + 4, world.ox, world.oy, world.oz) + data[at + 7],
         row(data, at + 8, world.ox, world.oy, world.oz) + data[at + 11],
-        row(data, at, world.dx, world.dy, world.dz),
-        row(data, at + 4, world.dx, world.dy, world.dz),
-        row(data, at + 8, world.dx, world.dy, world.dz));
-    local.tMin = world.tMin;
+        dx * local.unit,
+        dy * local.unit,
+        dz * local.unit);
+    local.tMin = world.tMin * Ray.power(exponent);
+    local.least = world.tMin;
     local.after = world.after;
   }
 

@@ -68,7 +68,7 @@ final class TriangleKernel {
       return;
     }
     double t = (u * az + v * bz + w * cz) * ray.shearZ / det;
-    if (!(ray.reaches(t, id) && t <= hit.t)) {
+    if (!ray.reaches(t, id)) {
       return;
     }
 
@@ -87,6 +87,7 @@ final class TriangleKernel {
     double deltaZ = GAMMA3 * maxZ;
     double deltaT =
         3 * (GAMMA3 * maxE * maxZ + deltaE * maxZ + deltaZ * maxE) * Math.abs(ray.shearZ / det);
+    t = withinBox(data, at, ray, GAMMA5 * (maxX + maxY + maxZ), t);
     if (t > deltaT) {
       hit.offer(ray, t, id, crossing, u / det, v / det);
       return;
@@ -101,6 +102,35 @@ final class TriangleKernel {
     if (ahead && !isEdgeOn(data, at, ray)) {
       hit.offer(ray, t, id, crossing, u / det, v / det);
     }
+  }
+
+  /**
+   * Returns the parameter nearest to t at which the ray is within a distance of the triangle's box,
+   * or 0 if it is nowhere.
+   *
+   * <p>Seen edge-on, the signs and the weights of the corners are rounding: t may be that of any
+   * corner, and the ray may even pass beside the triangle. A tree would not look for it there. The
+   * distance is that of {@code deltaX}: less than what a tree leaves around its boxes.
+   */
+  private static double withinBox(double[] data, int at, Ray ray, double distance, double t) {
+    double enter = Double.NEGATIVE_INFINITY;
+    double leave = Double.POSITIVE_INFINITY;
+    for (int axis = 0; axis < 3; axis++) {
+      double o = axis == 0 ? ray.ox : axis == 1 ? ray.oy : ray.oz;
+      double d = axis == 0 ? ray.dx : axis == 1 ? ray.dy : ray.dz;
+      double a = data[at + axis];
+      double b = data[at + 3 + axis];
+      double c = data[at + 6 + axis];
+      double least = Math.min(a, Math.min(b, c)) - distance - o;
+      double greatest = Math.max(a, Math.max(b, c)) + distance - o;
+      if (d != 0) {
+        enter = Math.max(enter, (d > 0 ? least : greatest) / d);
+        leave = Math.min(leave, (d > 0 ? greatest : least) / d);
+      } else if (least > 0 || greatest < 0) {
+        return 0;
+      }
+    }
+    return enter <= leave ? Math.min(Math.max(t, enter), leave) : 0;
   }
 
   /** Returns whether the ray's direction lies in the triangle's plane, by exact arithmetic. */

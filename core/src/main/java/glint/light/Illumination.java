@@ -83,8 +83,8 @@ public final class Illumination {
   /**
    * Computes what a light sends to a point, shadows aside.
    *
-   * @return whether it sends anything; not if the light is at the point itself, where it has no
-   *     direction
+   * @return whether it sends anything; not if the light is at the point itself, or so near that the
+   *     square of the distance has no full precision, where it has no direction
    */
   public boolean at(int i, Hit hit, LightSample out) {
     Vector3d w = where[i];
@@ -98,7 +98,7 @@ public final class Illumination {
     double z = w.z() - hit.pz;
     double squared = x * x + y * y + z * z;
     double distance = Math.sqrt(squared);
-    if (!(distance > 0)) {
+    if (!(squared >= Double.MIN_NORMAL)) {
       return false;
     }
     double strength = 1;
@@ -135,8 +135,7 @@ public final class Illumination {
       hit.spawn(w.x(), w.y(), w.z(), ray);
       return Double.POSITIVE_INFINITY;
     }
-    hit.spawnTo(w.x(), w.y(), w.z(), ray);
-    return Hit.BEFORE_TARGET;
+    return hit.spawnTo(w.x(), w.y(), w.z(), ray);
   }
 
   /** Returns an upper bound on the light, summed over lights, that any point can receive. */

@@ -55,7 +55,7 @@ public sealed interface Light {
       Check.finite("position", position);
       Check.finite("look_at", lookAt);
       color.requireLight("color");
-      if (position.equals(lookAt)) {
+      if (position.minus(lookAt).maxAbs() == 0) {
         throw new BadValueException("look_at", "must differ from position: " + position);
       }
       if (!(angle > 0 && angle <= 180)) {

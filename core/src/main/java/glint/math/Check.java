@@ -6,6 +6,9 @@ public final class Check {
   /** The largest coordinate or length: products of three such numbers do not overflow. */
   public static final double LARGEST = 1e100;
 
+  /** The smallest length: squares of products of it do not vanish. */
+  public static final double SMALLEST = 1e-100;
+
   private Check() {}
 
   /**
@@ -34,11 +37,14 @@ public final class Check {
   /**
    * Checks a length.
    *
-   * @throws BadValueException unless it is positive and at most {@link #LARGEST}
+   * @throws BadValueException unless it is {@link #SMALLEST} to {@link #LARGEST}
    */
   public static void positive(String field, double v) {
     if (!(v > 0 && v <= LARGEST)) {
       throw new BadValueException(field, "must be a positive number up to 1e100, but is " + v);
+    }
+    if (v < SMALLEST) {
+      throw new BadValueException(field, "must be at least 1e-100, but is " + v);
     }
   }
 

@@ -111,9 +111,20 @@ public final class Transform {
     return new Transform(m, inverse);
   }
 
-  /** Returns the map that applies this one first and {@code next} after it. */
+  /**
+   * Returns the map that applies this one first and {@code next} after it.
+   *
+   * @throws ArithmeticException if its numbers, or those of its inverse, are not finite
+   */
   public Transform then(Transform next) {
-    return new Transform(product(next.forward, forward), product(inverse, next.inverse));
+    double[] m = product(next.forward, forward);
+    double[] back = product(inverse, next.inverse);
+    for (int i = 0; i < 12; i++) {
+      if (!(Double.isFinite(m[i]) && Double.isFinite(back[i]))) {
+        throw new ArithmeticException("the transforms up to here leave the range of numbers");
+      }
+    }
+    return new Transform(m, back);
   }
 
   /** Returns the inverse map. */
@@ -160,28 +171,42 @@ public final class Transform {
    * differently: whether a sphere stays a sphere to within the rounding of the matrix.
    */
   public double uniformScale() {
-    double first = column(0).length();
+    // Divide by a power of two first, so that no square overflows or vanishes.
+    int exponent = Math.getExponent(largest());
+    Vector3d[] columns = new Vector3d[3];
+    for (int i = 0; i < 3; i++) {
+      columns[i] = column(i).times(Math.scalb(1.0, -exponent));
+    }
+    double first = columns[0].length();
     double bound = 16 * Rounding.U;
     for (int i = 0; i < 3; i++) {
-      if (!(Math.abs(column(i).length() - first) <= bound * first)) {
+      if (!(Math.abs(columns[i].length() - first) <= bound * first)) {
         return 0;
       }
       // Columns at right angles: their dot product is rounding only.
-      if (!(Math.abs(column(i).dot(column((i + 1) % 3))) <= bound * first * first)) {
+      if (!(Math.abs(columns[i].dot(columns[(i + 1) % 3])) <= bound * first * first)) {
         return 0;
       }
     }
-    return first;
+    return Math.scalb(first, exponent);
+  }
+
+  /**
+   * Returns the largest absolute number of the 3x3 part: no length grows by more than thrice it.
+   */
+  public double largest() {
+    return Math.max(column(0).maxAbs(), Math.max(column(1).maxAbs(), column(2).maxAbs()));
   }
 
   /** Returns whether this map turns a right hand into a left one. */
   public boolean mirrors() {
-    return column(0).cross(column(1)).dot(column(2)) < 0;
+    Vector3d x = column(0).normalized();
+    return x.cross(column(1).normalized()).dot(column(2).normalized()) < 0;
   }
 
   /**
-   * Returns by how much a round trip through this map and its inverse may magnify rounding: the
-   * largest row sum of |M||M⁻¹|, at least 1.
+   * Returns by how much a round trip through this map and its inverse may magnify rounding,
+   * component by component: the largest row sum of |M||M⁻¹|, at least 1.
    */
   public double conditioning() {
     double largest = 1;
@@ -195,6 +220,27 @@ public final class Transform {
       largest = Math.max(largest, sum);
     }
     return largest;
+  }
+
+  /**
+   * Returns by how much a round trip may magnify rounding where object space mixes the components:
+   * the product of the Frobenius norms of M and M⁻¹, at least the ratio of its greatest to its
+   * least stretch.
+   */
+  public double flattening() {
+    return norm(forward) * norm(inverse);
+  }
+
+  private static double norm(double[] m) {
+    double largest = 0;
+    for (int i = 0; i < 12; i++) {
+      largest = i % 4 == 3 ? largest : Math.max(largest, Math.abs(m[i]));
+    }
+    double sum = 0;
+    for (int i = 0; i < 12; i++) {
+      sum += i % 4 == 3 ? 0 : (m[i] / largest) * (m[i] / largest);
+    }
+    return largest * Math.sqrt(sum);
   }
 
   private Vector3d column(int i) {

@@ -28,7 +28,7 @@ public record Camera(
     Check.finite("position", position);
     Check.finite("look_at", lookAt);
     Check.direction("up", up);
-    if (position.equals(lookAt)) {
+    if (position.minus(lookAt).maxAbs() == 0) {
       throw new BadValueException("look_at", "must differ from position: " + position);
     }
     Vector3d sideways = lookAt.minus(position).normalized().cross(up.normalized());

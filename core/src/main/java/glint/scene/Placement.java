@@ -1,5 +1,6 @@
 package glint.scene;
 
+import glint.geometry.Carried;
 import glint.geometry.Surface;
 import glint.math.Transform;
 import glint.optics.Material;
@@ -13,6 +14,7 @@ public record Placement(Surface surface, Transform toWorld, Material material) {
     Objects.requireNonNull(surface, "surface");
     Objects.requireNonNull(toWorld, "toWorld");
     Objects.requireNonNull(material, "material");
+    Carried.check(surface, toWorld);
   }
 
   /** Places a surface where its own coordinates say. */

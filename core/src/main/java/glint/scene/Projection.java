@@ -45,9 +45,14 @@ public record Projection(double degrees, boolean horizontal, double aspect) {
     return aspect == 0 ? (double) width / height : aspect;
   }
 
-  /** sin x / (1 + cos x) is exactly 1 for a right angle, where tan(x/2) is not. */
+  /**
+   * sin x / (1 + cos x) is exactly 1 for a right angle, where tan(x/2) is not; (1 - cos x) / sin x
+   * is the same, and has a value up to 180 degrees.
+   */
   private static double tanOfHalf(double degrees) {
     double x = StrictMath.toRadians(degrees);
-    return StrictMath.sin(x) / (1 + StrictMath.cos(x));
+    double sin = StrictMath.sin(x);
+    double cos = StrictMath.cos(x);
+    return cos < 0 ? (1 - cos) / sin : sin / (1 + cos);
   }
 }

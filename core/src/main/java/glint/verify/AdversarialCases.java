@@ -1,6 +1,8 @@
 package glint.verify;
 
+import glint.geometry.Surface;
 import java.util.ArrayList;
+import java.util.Collections;
 import java.util.List;
 
 /**
@@ -32,35 +34,56 @@ final class AdversarialCases {
               adversary.parameter(),
               tally -> measure(adversary, tally)));
     }
+    cases.add(HardCase.exact("ADV-tree", "adversarial rays: tree = scan", AdversarialCases::climb));
     return cases;
   }
 
-  private static void decide(Adversary<?> adversary, Tally tally) {
+  private static <S extends Surface> void decide(Adversary<S> adversary, Tally tally) {
+    double bound = adversary.parameter().most();
     adversary.attack(
         new Dice(1),
         tally.times(LITTLE, MUCH),
-        (oracle, shoot, o, d) -> {
-          double wrong =
-              Crossing.wrongness(
-                  oracle.crossings(o, d),
-                  shoot.hit.found(),
-                  shoot.hit.t,
-                  adversary.parameter().most());
-          tally.check(wrong <= adversary.decision().most());
-          tally.error(wrong);
+        surface -> {
+          Shoot shoot = Shoot.at(surface);
+          Oracle oracle = adversary.oracle().apply(surface);
+          return (o, d) -> {
+            boolean found = shoot.from(o, d);
+            double t = shoot.hit.t;
+            double off = found ? oracle.off(o, d, t) : 0;
+            double wrong = Crossing.wrongness(oracle.crossings(o, d), found, t, bound, off);
+            tally.check(wrong <= adversary.decision().most());
+            tally.error(wrong);
+          };
         });
   }
 
-  private static void measure(Adversary<?> adversary, Tally tally) {
+  private static <S extends Surface> void measure(Adversary<S> adversary, Tally tally) {
     adversary.attack(
         new Dice(2),
         tally.times(LITTLE / 2, MUCH),
-        (oracle, shoot, o, d) -> {
-          if (shoot.hit.found()) {
-            double error = Crossing.error(oracle.crossings(o, d), shoot.hit.t);
-            tally.check(error <= adversary.parameter().most());
-            tally.error(error);
-          }
+        surface -> {
+          Shoot shoot = Shoot.at(surface);
+          Oracle oracle = adversary.oracle().apply(surface);
+          return (o, d) -> {
+            if (shoot.from(o, d)) {
+              double error = Crossing.error(oracle.crossings(o, d), shoot.hit.t);
+              tally.check(error <= adversary.parameter().most());
+              tally.error(error);
+            }
+          };
         });
+  }
+
+  /** Eight copies need a tree, whose boxes are no wider than the surface asks for. */
+  private static void climb(Tally tally) {
+    for (Adversary<?> adversary : Adversaries.ALL) {
+      adversary.attack(
+          new Dice(3),
+          tally.times(LITTLE, MUCH),
+          surface -> {
+            Soup soup = new Soup(Shoot.primitives(Collections.nCopies(8, surface)));
+            return (o, d) -> tally.check(soup.agrees(o, d));
+          });
+    }
   }
 }

@@ -3,6 +3,7 @@ package glint.verify;
 import glint.geometry.Surface;
 import glint.math.Rounding;
 import glint.math.Vector3d;
+import java.util.function.BiConsumer;
 import java.util.function.BiFunction;
 import java.util.function.Function;
 
@@ -30,20 +31,18 @@ record Adversary<S extends Surface>(
   /** A point on a surface, a unit direction through it, and the surface's size. */
   record Spot(Vector3d point, Vector3d direction, double size) {}
 
-  /** Hears of a ray that was shot. */
-  interface Judge {
-    void judge(Oracle oracle, Shoot shoot, Vector3d o, Vector3d d);
-  }
-
-  /** Shoots rays at surfaces. */
-  void attack(Dice dice, int rays, Judge judge) {
+  /**
+   * Draws rays at surfaces.
+   *
+   * @param range takes each surface, and then the rays at it: origin and direction
+   */
+  void attack(Dice dice, int rays, Function<S, BiConsumer<Vector3d, Vector3d>> range) {
     for (int i = 0; i < rays; i += RAYS) {
       S surface = shape.apply(dice);
-      Shoot shoot = Shoot.at(surface);
-      Oracle truth = oracle.apply(surface);
+      BiConsumer<Vector3d, Vector3d> target = range.apply(surface);
       for (int k = 0; k < RAYS; k++) {
         Spot at = spot.apply(dice, surface);
-        double distance = at.size * dice.log(1e-6, 1e6);
+        double distance = at.size * dice.log(1e-6, 1e10);
         Vector3d nudge = dice.across(at.direction).times(nudge(dice) * (distance + at.size));
         Vector3d o = at.point.minus(at.direction.times(distance));
         Vector3d aimed = at.point.plus(nudge).minus(o);
@@ -52,9 +51,7 @@ record Adversary<S extends Surface>(
           o = o.plus(nudge);
           aimed = along;
         }
-        Vector3d d = aimed.maxAbs() > 0 ? aimed.times(stretch(dice)) : along;
-        shoot.from(o, d);
-        judge.judge(truth, shoot, o, d);
+        target.accept(o, aimed.maxAbs() > 0 ? aimed.times(stretch(dice)) : along);
       }
     }
   }

@@ -2,6 +2,7 @@ package glint.verify;
 
 import java.math.BigDecimal;
 import java.util.List;
+import java.util.function.Predicate;
 
 /**
  * A place where a line crosses a surface, or barely fails to.
@@ -34,29 +35,36 @@ record Crossing(BigDecimal t, double unit, double inside) {
    * @param found whether a hit was reported
    * @param reported its parameter
    * @param bound how many units a reported parameter may be off to mean a crossing
+   * @param off how far the reported point lies from the surface
    */
-  static double wrongness(List<Crossing> crossings, boolean found, double reported, double bound) {
+  static double wrongness(
+      List<Crossing> crossings, boolean found, double reported, double bound, double off) {
     if (!found) {
-      return missing(crossings, null);
+      return missing(crossings, c -> true);
     }
-    double least = Double.POSITIVE_INFINITY;
+    BigDecimal t = Exact.of(reported);
+    double least = Math.max(off, missing(crossings, c -> c.isBefore(t, bound)));
     for (Crossing c : crossings) {
       if (c.errorOf(reported) <= bound) {
-        least = Math.min(least, Math.max(-c.certainty(), missing(crossings, c)));
+        double skipped = missing(crossings, other -> other.t.compareTo(c.t) < 0);
+        least = Math.min(least, Math.max(-c.certainty(), skipped));
       }
     }
     return Math.max(0, least);
   }
 
-  /** How certain the surest crossing is that comes before another one, or before the end. */
-  private static double missing(List<Crossing> crossings, Crossing end) {
-    double surest = 0;
-    for (Crossing c : crossings) {
-      if (end == null || c.t.compareTo(end.t) < 0) {
-        surest = Math.max(surest, c.certainty());
-      }
-    }
-    return surest;
+  /** Returns how wrong a decision is about a surface without straight lines. */
+  static double wrongness(List<Crossing> crossings, boolean found, double reported, double bound) {
+    return wrongness(crossings, found, reported, bound, Double.POSITIVE_INFINITY);
+  }
+
+  /** How certain the surest of some crossings is. */
+  private static double missing(List<Crossing> crossings, Predicate<Crossing> which) {
+    return crossings.stream().filter(which).mapToDouble(Crossing::certainty).reduce(0, Math::max);
+  }
+
+  private boolean isBefore(BigDecimal end, double bound) {
+    return t.compareTo(end) < 0 && errorOf(end.doubleValue()) > bound;
   }
 
   /** Returns the error of a reported parameter in units, or 0 if the line misses exactly. */

@@ -72,6 +72,19 @@ final class CylinderOracle implements Oracle {
     return capped ? notThinner(all) : all;
   }
 
+  @Override
+  public double off(Vector3d origin, Vector3d direction, double t) {
+    Line line = new Line(Exact3.of(origin).minus(base), Exact3.of(direction));
+    BigDecimal s = line.fs.add(line.ds.multiply(Exact.of(t)));
+    double far = line.w.plus(line.e.times(Exact.of(t))).length();
+    double high = Exact.toDouble(s);
+    double top = Exact.toDouble(height);
+    double rho = Exact.toDouble(radius.add(slope.multiply(s)));
+    double beyond = Math.max(0, Math.max(-high, high - top));
+    double least = Math.max(Math.abs(far - rho) / tilt, beyond);
+    return least / line.scale;
+  }
+
   /** A solid where the line leaves it as soon as it has entered is no surer than that is. */
   private static List<Crossing> notThinner(List<Crossing> all) {
     List<Crossing> hits = all.stream().filter(c -> c.inside() >= 0).collect(Collectors.toList());

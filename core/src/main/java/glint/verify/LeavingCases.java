@@ -127,7 +127,8 @@ final class LeavingCases {
     double cos = dice.log(1e-3, 1);
     Vector3d d = dice.across(n).times(Math.sqrt(1 - cos * cos)).minus(n.times(cos)).normalized();
     boolean found = shoot.leave(d);
-    Crossing far = new SphereOracle(s).crossings(shoot.origin(), d).get(1);
+    List<Crossing> truth = new SphereOracle(s).crossings(shoot.origin(), d);
+    Crossing far = truth.get(truth.size() - 1);
     tally.error(far.errorOf(shoot.hit.t));
 
     double chord = 2 * s.radius() * -d.dot(n);

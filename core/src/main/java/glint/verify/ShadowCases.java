@@ -182,7 +182,12 @@ final class ShadowCases {
           boolean shadowed = sphere.closest();
           List<Crossing> truth = new SphereOracle(ball).crossings(ground.point(), light);
           tally.check(
-              Crossing.wrongness(truth, shadowed, sphere.hit.t, SphereOracle.PARAMETER.most())
+              Crossing.wrongness(
+                      truth,
+                      shadowed,
+                      sphere.hit.t,
+                      SphereOracle.PARAMETER.most(),
+                      Double.POSITIVE_INFINITY)
                   <= SphereOracle.DECISION.most());
         }
       }

@@ -117,9 +117,13 @@ class OraclesTest {
     off.attack(
         new Dice(1),
         1000,
-        (oracle, shoot, o, d) -> {
-          List<Crossing> truth = oracle.crossings(o, d);
-          tally.check(Crossing.wrongness(truth, shoot.hit.found(), shoot.hit.t, 16) <= 4);
+        sphere -> {
+          Shoot shoot = Shoot.at(sphere);
+          Oracle oracle = off.oracle().apply(sphere);
+          return (o, d) -> {
+            boolean found = shoot.from(o, d);
+            tally.check(Crossing.wrongness(oracle.crossings(o, d), found, shoot.hit.t, 16) <= 4);
+          };
         });
     assertTrue(tally.wrong() > 100, "wrong: " + tally.wrong());
   }
