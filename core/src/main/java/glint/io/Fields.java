@@ -146,6 +146,14 @@ final class Fields {
     return has(key) ? light(key) : absent;
   }
 
+  Rgb coefficients(String key, Rgb absent) {
+    return has(key) ? values.coefficients(key, get(key)) : absent;
+  }
+
+  int wholeNumber(String key, int absent) {
+    return has(key) ? values.wholeNumber(get(key)) : absent;
+  }
+
   boolean flag(String key, boolean absent) {
     return has(key) ? values.flag(get(key)) : absent;
   }

@@ -5,10 +5,12 @@ import glint.io.YamlNode.Entry;
 import glint.io.YamlNode.Mapping;
 import glint.io.YamlNode.Scalar;
 import glint.optics.Material;
+import glint.optics.Medium;
 import java.util.ArrayList;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.function.Supplier;
 
 /** The materials that a file or a scene defines by name, read once each. */
 final class MaterialReader {
@@ -103,7 +105,7 @@ final class MaterialReader {
 
   private Material read(YamlNode node) {
     Fields f = new Fields(node, Section.MATERIAL, values);
-    boolean otherwiseLit = f.has("reflection") || f.has("emission");
+    boolean otherwiseLit = f.has("reflection") || f.has("emission") || f.has("transparency");
     Rgb color = f.light("color", Rgb.WHITE);
     Rgb diffuse = f.light("diffuse", otherwiseLit ? Rgb.BLACK : Rgb.WHITE);
     Rgb ambient = f.light("ambient", diffuse);
@@ -111,6 +113,8 @@ final class MaterialReader {
     double shininess = f.number("shininess", 32);
     Rgb reflection = f.light("reflection", Rgb.BLACK);
     Rgb emission = f.light("emission", Rgb.BLACK);
+    Rgb transparency = f.light("transparency", Rgb.BLACK);
+    Supplier<Medium> interior = interior(f);
     return f.build(
         () ->
             new Material(
@@ -119,6 +123,19 @@ final class MaterialReader {
                 specular,
                 shininess,
                 reflection,
-                emission));
+                emission,
+                transparency,
+                interior.get()));
+  }
+
+  /** Returns what makes the medium inside; it checks the values. */
+  private static Supplier<Medium> interior(Fields f) {
+    if (!f.has("ior") && !f.has("absorption") && !f.has("priority")) {
+      return () -> Medium.VACUUM;
+    }
+    double ior = f.number("ior", 1);
+    Rgb absorption = f.coefficients("absorption", Rgb.BLACK);
+    int priority = f.wholeNumber("priority", 0);
+    return () -> new Medium(ior, absorption, priority);
   }
 }

@@ -38,8 +38,9 @@ enum Section {
   ROTATION("a rotation", "axis degrees", ""),
   MATERIAL(
       "a material",
-      "color ambient diffuse specular shininess reflection emission",
-      "transparency ior absorption priority texture");
+      "color ambient diffuse specular shininess reflection emission"
+          + " transparency ior absorption priority",
+      "texture");
 
   private static final String PLACED = " material scale rotate translate transform";
 

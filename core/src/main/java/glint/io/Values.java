@@ -188,6 +188,15 @@ final class Values {
     }
   }
 
+  /** Returns a coefficient for each channel, none negative or infinite. */
+  Rgb coefficients(String name, YamlNode node) {
+    if (node instanceof Sequence || (node instanceof Scalar scalar && scalar.isNumber())) {
+      return light(name, node);
+    }
+    wrong(node, "a number or 3 numbers [red, green, blue]");
+    return Rgb.BLACK;
+  }
+
   private static Rgb decode(String hex) {
     double[] linear = new double[3];
     for (int i = 0; i < 3; i++) {

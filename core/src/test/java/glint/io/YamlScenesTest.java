@@ -19,6 +19,7 @@ import glint.math.Transform;
 import glint.math.Vector3d;
 import glint.optics.Highlight;
 import glint.optics.Material;
+import glint.optics.Medium;
 import glint.scene.Background;
 import glint.scene.Camera;
 import glint.scene.Placement;
@@ -133,6 +134,14 @@ class YamlScenesTest {
     assertEquals(
         new Material(Rgb.grey(0.5), Rgb.grey(0.5), black, 32, Rgb.WHITE, black),
         placements.get(4).material());
+    // What is transparent is not diffuse unless it says so.
+    assertEquals(
+        new Material(
+            black, black, black, 32, black, black, new Rgb(0, 1, 0), new Medium(1, Rgb.grey(2), 0)),
+        placements.get(5).material());
+    assertEquals(
+        new Material(black, black, black, 32, black, black, Rgb.WHITE, Medium.VACUUM),
+        placements.get(6).material());
     assertEquals(
         new Material(
             new Rgb(0.125, 0.25, 0),
@@ -140,7 +149,9 @@ class YamlScenesTest {
             Rgb.grey(0.125),
             64,
             new Rgb(0, 0, 0.5),
-            Rgb.WHITE),
+            Rgb.WHITE,
+            new Rgb(0.5, 0, 1),
+            new Medium(1.5, new Rgb(0, 0.25, 20), -3)),
         scenes.get(1).placements().get(0).material());
   }
 
