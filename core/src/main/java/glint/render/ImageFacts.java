@@ -1,5 +1,6 @@
 package glint.render;
 
+import glint.color.Transfer;
 import glint.image.Image;
 import java.nio.ByteBuffer;
 import java.security.MessageDigest;
@@ -20,6 +21,25 @@ final class ImageFacts {
       }
     }
     return clipped;
+  }
+
+  /**
+   * Returns a bound on the RMS error, over all pixels and channels and in display levels, of light
+   * that is missing.
+   *
+   * @param cut how much at most, for every pixel; where it is infinite the display's range bounds
+   *     it
+   */
+  static double truncation(Image image, double[] cut, Transfer transfer) {
+    double[] rgb = image.rgb();
+    double sum = 0;
+    for (int i = 0; i < rgb.length; i++) {
+      if (cut[i / 3] > 0) {
+        double error = transfer.level(rgb[i] + cut[i / 3]) - transfer.level(rgb[i]);
+        sum += error * error;
+      }
+    }
+    return Math.sqrt(sum / rgb.length);
   }
 
   /** Returns the SHA-256 of the image's doubles, big-endian, in row order, in hex. */

@@ -24,6 +24,7 @@ public final class Renderer {
   private final Prepared scene;
   private final RenderSettings settings;
   private final Image image;
+  private final double[] cut;
   private final Map<Aov, Image> aovs = new EnumMap<>(Aov.class);
   private final AtomicInteger nextTile = new AtomicInteger();
   private volatile boolean cancelled;
@@ -38,6 +39,7 @@ public final class Renderer {
     this.scene = scene;
     this.settings = settings;
     image = new Image(settings.width(), settings.height());
+    cut = new double[settings.width() * settings.height()];
     columns = tiles(settings.width());
     total = Math.multiplyExact(columns, tiles(settings.height()));
     for (Aov aov : settings.aovs()) {
@@ -58,7 +60,7 @@ public final class Renderer {
     ExecutorService pool = Executors.newFixedThreadPool(settings.threads(), Renderer::thread);
     try {
       for (int i = 0; i < Math.min(settings.threads(), total); i++) {
-        Worker worker = new Worker(this, scene, settings, image, aovs);
+        Worker worker = new Worker(this, scene, settings, image, cut, aovs);
         workers.add(worker);
         pending.add(pool.submit(() -> work(worker)));
       }
@@ -144,6 +146,7 @@ public final class Renderer {
         scene.geometryBytes(),
         invalid,
         ImageFacts.clipped(image),
+        ImageFacts.truncation(image, cut, scene.scene().transfer()),
         seconds,
         ImageFacts.sha256(image));
   }

@@ -13,6 +13,7 @@ import glint.trace.RayCounts;
  * @param geometryBytes what the primitives and the tree take in memory
  * @param invalid samples that were NaN or infinite; they are left out of their pixel's mean
  * @param clipped pixels with a channel above display white
+ * @param truncation a bound on the image's RMS error by bounces not followed, in display levels
  * @param renderSeconds wall time of tracing alone
  * @param sha256 hash of the linear image: its doubles, big-endian, in row order, in hex
  */
@@ -25,5 +26,6 @@ public record Statistics(
     long geometryBytes,
     long invalid,
     long clipped,
+    double truncation,
     double renderSeconds,
     String sha256) {}

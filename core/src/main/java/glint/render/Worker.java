@@ -22,6 +22,9 @@ final class Worker {
   /** The same where the user states the depth: far below what any image shows. */
   private static final double EXACT = 0x1p-40;
 
+  /** For every pixel a bound on the radiance that was not followed, any channel. */
+  private final double[] cut;
+
   private final Renderer renderer;
   private final Prepared scene;
   private final RenderSettings settings;
@@ -39,7 +42,9 @@ final class Worker {
       Prepared scene,
       RenderSettings settings,
       Image image,
+      double[] cut,
       Map<Aov, Image> aovs) {
+    this.cut = cut;
     this.renderer = renderer;
     this.scene = scene;
     this.settings = settings;
@@ -75,6 +80,7 @@ final class Worker {
     double r = 0;
     double g = 0;
     double b = 0;
+    double left = 0;
     int valid = 0;
     sampler.pixel(x, y);
     for (int i = 0; i < settings.samples(); i++) {
@@ -88,6 +94,7 @@ final class Worker {
         r += tracer.r;
         g += tracer.g;
         b += tracer.b;
+        left += tracer.cut;
         valid++;
       } else {
         invalid++;
@@ -95,6 +102,7 @@ final class Worker {
     }
     if (valid > 0) {
       image.set(x, y, r / valid, g / valid, b / valid);
+      cut[y * settings.width() + x] = left / valid;
     }
     if (!aovs.isEmpty()) {
       look(x, y);

@@ -110,8 +110,7 @@ final class DirectLight {
     while (true) {
       intersector.closest(shadowRay, end, blocker);
       if (!blocker.found()) {
-        double rest = end > Double.MAX_VALUE ? end : (1 - from) * length;
-        absorb(rest);
+        absorb((end - from) * length);
         return passes();
       }
       intersector.resolve(shadowRay, blocker);

@@ -20,7 +20,13 @@ class AllocationTest {
     RenderSettings settings =
         new RenderSettings(97, 61, 8, 0, OptionalInt.empty(), 1, 32, Set.of());
     Worker worker =
-        new Worker(new Renderer(scene, settings), scene, settings, new Image(97, 61), Map.of());
+        new Worker(
+            new Renderer(scene, settings),
+            scene,
+            settings,
+            new Image(97, 61),
+            new double[97 * 61],
+            Map.of());
     ThreadMXBean threads = (ThreadMXBean) ManagementFactory.getThreadMXBean();
     render(worker);
     long raysBefore = worker.counts().total();

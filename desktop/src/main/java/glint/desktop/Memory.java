@@ -8,8 +8,8 @@ final class Memory {
   /** Three doubles. */
   private static final long BYTES_PER_PIXEL = 24;
 
-  /** Eight-bit codes, packed into an int. */
-  private static final long CODE_BYTES_PER_PIXEL = 4;
+  /** Eight-bit codes, packed into an int, and a bound on what was not followed. */
+  private static final long CODE_BYTES_PER_PIXEL = 12;
 
   private Memory() {}
 

@@ -48,7 +48,7 @@ record SceneStats(
   /** What the flat arrays and the tree take in memory. */
   record Geometry(long bytes, double bytesPerPrimitive) {}
 
-  /** What is known of the error; nothing, until it is estimated. */
+  /** What is known of the error: what bounces not followed can add; the rest is not estimated. */
   record ErrorEstimate(Double estimate, Double target, Double truncation, String unit) {
     static final ErrorEstimate UNKNOWN = new ErrorEstimate(null, null, null, "levels");
   }
@@ -69,7 +69,7 @@ record SceneStats(
         rays.total() / seconds.render(),
         s.primitives(),
         new Geometry(s.geometryBytes(), (double) s.geometryBytes() / Math.max(1, s.primitives())),
-        ErrorEstimate.UNKNOWN,
+        new ErrorEstimate(null, null, s.truncation(), "levels"),
         new Depth(rays.maxDepth),
         s.invalid(),
         s.clipped(),
