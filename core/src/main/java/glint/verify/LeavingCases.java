@@ -56,7 +56,7 @@ final class LeavingCases {
 
   private static void leave(Placer placer, Tally tally) {
     Dice dice = new Dice(99);
-    for (int i = 0; i < tally.times(1000, 20_000); i++) {
+    for (int i = 0; i < tally.times(10_000, 100_000); i++) {
       Placed placed = placer.place(dice);
       Shoot shoot = Shoot.at(placed.surface, placed.toWorld);
       for (int k = 0; k < 20; k++) {
@@ -178,7 +178,7 @@ final class LeavingCases {
 
   private static void pipes(Tally tally) {
     Dice dice = new Dice(98);
-    for (int i = 0; i < tally.times(1000, 20_000); i++) {
+    for (int i = 0; i < tally.times(10_000, 100_000); i++) {
       double size = dice.log(1e-3, 1e3);
       Vector3d base = somewhere(dice, size);
       Vector3d axis = dice.unit().times(size);
