@@ -9,27 +9,34 @@ import java.util.Set;
 /** Collects the problems of one file; the same problem at the same place counts as one. */
 final class Problems {
 
-  /** How many problems are told; beyond, only their number is. */
+  /** How many problems of a scene file are told; beyond, only their number is. */
   static final int MOST = 100;
 
-  /** How many problems are looked for. */
-  static final int ENOUGH = 10_000;
+  /** How many times more problems are looked for. */
+  private static final int SOUGHT = 100;
 
   private static final int LONGEST = 400;
 
   private final String file;
+  private final int most;
   private final Set<Problem> problems = new LinkedHashSet<>();
   private long reports;
   private int written;
 
   Problems(String file) {
+    this(file, MOST);
+  }
+
+  /** Tells at most so many. */
+  Problems(String file, int most) {
     this.file = file;
+    this.most = most;
   }
 
   /**
    * Reports a problem.
    *
-   * @throws TooMany if there have been {@link #ENOUGH}: there is no use in reading on
+   * @throws TooMany if there have been so many that there is no use in reading on
    */
   void report(Place place, String message) {
     String line = message.replaceAll("[\\p{Cntrl}\u0085\u2028\u2029]+", " ");
@@ -39,7 +46,7 @@ final class Problems {
             file, place.line(), place.column(), whole ? line : line.substring(0, LONGEST) + "…"));
     reports++;
     written++;
-    if (written == ENOUGH) {
+    if (written == SOUGHT * most) {
       throw new TooMany();
     }
   }
@@ -59,16 +66,16 @@ final class Problems {
     return problem.line() == 0 ? Integer.MAX_VALUE : problem.line();
   }
 
-  /** Returns the problems in file order, at most {@link #MOST} of them and a closing line. */
+  /** Returns the problems in file order, at most so many as are told and a closing line. */
   List<Problem> inFileOrder() {
     List<Problem> sorted = new ArrayList<>(problems);
     sorted.sort(Comparator.comparingInt(Problems::order).thenComparingInt(Problem::column));
-    if (sorted.size() <= MOST) {
+    if (sorted.size() <= most) {
       return sorted;
     }
-    List<Problem> first = new ArrayList<>(sorted.subList(0, MOST));
-    int more = sorted.size() - MOST;
-    String end = written == ENOUGH ? "; reading ended there" : "";
+    List<Problem> first = new ArrayList<>(sorted.subList(0, most));
+    int more = sorted.size() - most;
+    String end = written == SOUGHT * most ? "; reading ended there" : "";
     first.add(new Problem(file, 0, 0, "and " + more + " more problems, not shown" + end));
     return first;
   }

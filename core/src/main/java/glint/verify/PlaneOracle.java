@@ -16,10 +16,10 @@ final class PlaneOracle implements Oracle {
   static final Bound DECISION = new Bound(4, "u·S");
 
   /**
-   * The largest error of t|d|, in u·S/cos: 4u|p - o| and 4ut|d|, twice where cos is so small that
-   * half of it is rounding.
+   * The largest error of t|d|, in u·S/cos: 4u|p - o| and 4ut|d|, and one more for products of
+   * errors. The cosine is less its own error, 3u.
    */
-  static final Bound PARAMETER = new Bound(8, "u·S/cos");
+  static final Bound PARAMETER = new Bound(5, "u·S/cos");
 
   private final Exact3 point;
   private final Exact3 normal;
@@ -41,6 +41,7 @@ final class PlaneOracle implements Oracle {
     double length = d.length();
     double cos = Math.abs(Exact.toDouble(along)) / length;
     double size = toPoint.length() + Math.abs(Exact.toDouble(t)) * length;
-    return List.of(new Crossing(t, Rounding.U * size / (cos * length), cos / Rounding.U));
+    double sure = Math.max(0, cos - 3 * Rounding.U);
+    return List.of(new Crossing(t, Rounding.U * size / (sure * length), cos / Rounding.U));
   }
 }
