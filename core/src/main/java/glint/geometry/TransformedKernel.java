@@ -99,7 +99,12 @@ final class TransformedKernel {
             * (Math.abs(objectNx) * absRow(data, at, hit.px, hit.py, hit.pz)
                 + Math.abs(objectNy) * absRow(data, at + 4, hit.px, hit.py, hit.pz)
                 + Math.abs(objectNz) * absRow(data, at + 8, hit.px, hit.py, hit.pz));
-    hit.offset = 2 * ((hit.offset + back) / stretch + there);
+    // One stored matrix is not the other's inverse exactly: see by how much the way back misses.
+    double missed =
+        objectNx * (row(data, at, hit.px, hit.py, hit.pz) + data[at + 3] - x)
+            + objectNy * (row(data, at + 4, hit.px, hit.py, hit.pz) + data[at + 7] - y)
+            + objectNz * (row(data, at + 8, hit.px, hit.py, hit.pz) + data[at + 11] - z);
+    hit.offset = 2 * ((hit.offset + back + Math.abs(missed)) / stretch + there);
   }
 
   private static double row(double[] data, int at, double x, double y, double z) {

@@ -13,11 +13,8 @@ import java.util.Map;
 /** Everything that one thread needs to render pixels, made once and used for every tile. */
 final class Worker {
 
-  /**
-   * The radiance below which a bounce is not followed: a twentieth of a display level where the
-   * sRGB curve is steepest, 12.92 at black.
-   */
-  private static final double NEGLIGIBLE = 0.05 / (255 * 12.92);
+  /** The radiance below which a bounce is not followed: a twentieth of a display level at white. */
+  private static final double NEGLIGIBLE = 0.05 / 255;
 
   /** The same where the user states the depth: far below what any image shows. */
   private static final double EXACT = 0x1p-40;

@@ -53,8 +53,8 @@ final class Trial {
     Prepared prepared = Prepared.of(scene);
     int depth = scene.maxDepth().orElse(RenderSettings.DEFAULT_DEPTH);
     radianceBound = Math.min(prepared.radianceBound() * (1 + ROUNDING), Double.MAX_VALUE);
-    everything = new Tracer(withTree, depth);
-    needed = new Tracer(prepared, depth);
+    everything = new Tracer(withTree, depth, 1e-4);
+    needed = new Tracer(prepared, depth, 1e-4);
     scan = new Intersector(flatten(scene));
     tree = withTree.intersector();
     for (FuzzScene.Segment segment : fuzz.rays()) {
