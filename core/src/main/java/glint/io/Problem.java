@@ -1,7 +1,7 @@
 package glint.io;
 
 /**
- * Something that a scene file says wrongly, or that its reader had to assume; immutable.
+ * Something that a scene file or a model says wrongly, or that its reader had to assume; immutable.
  *
  * @param file the file's name as the caller gave it
  * @param line the line, from 1, or 0 where the problem has no place

@@ -13,12 +13,14 @@ final class SceneFileReader {
 
   private final Problems problems;
   private final Values values;
+  private final Models models;
   private final List<Scene> scenes = new ArrayList<>();
   private final List<String> broken = new ArrayList<>();
 
-  SceneFileReader(Problems problems) {
+  SceneFileReader(SceneFolder folder, Problems problems) {
     this.problems = problems;
     values = new Values(problems);
+    models = new Models(folder, values);
   }
 
   SceneFile read(String text) {
@@ -26,7 +28,9 @@ final class SceneFileReader {
     if (root != null) {
       readFile(root);
     }
-    return new SceneFile(scenes, broken, problems.inFileOrder(), List.of());
+    List<Problem> all = new ArrayList<>(problems.inFileOrder());
+    all.addAll(models.problems());
+    return new SceneFile(scenes, broken, all, models.notes());
   }
 
   private void readFile(YamlNode root) {
@@ -34,7 +38,7 @@ final class SceneFileReader {
     MaterialReader materials = new MaterialReader(file.get("materials"), null, values);
     Fields defaults =
         file.has("defaults") ? new Fields(file.get("defaults"), Section.DEFAULTS, values) : null;
-    SceneReader reader = new SceneReader(defaults, materials, values);
+    SceneReader reader = new SceneReader(defaults, materials, models, values);
     if (defaults != null) {
       reader.checkDefaults();
     }

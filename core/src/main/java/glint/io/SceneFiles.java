@@ -19,9 +19,11 @@ public final class SceneFiles {
    *
    * @param in the bytes; left open
    * @param fileName the file's name or path, which also begins every message
+   * @param folder opens the models that the file names
    * @throws IOException if the stream fails
    */
-  public static SceneFile read(InputStream in, String fileName) throws IOException {
+  public static SceneFile read(InputStream in, String fileName, SceneFolder folder)
+      throws IOException {
     Problems problems = new Problems(fileName);
     String name = fileName.toLowerCase(Locale.ROOT);
     boolean yaml = name.endsWith(".yaml") || name.endsWith(".yml");
@@ -40,7 +42,7 @@ public final class SceneFiles {
     }
     try {
       return yaml
-          ? new SceneFileReader(problems).read(text)
+          ? new SceneFileReader(folder, problems).read(text)
           : new Cs315Reader(fileName, problems).read(text);
     } catch (Problems.TooMany e) {
       return nothing(problems);

@@ -14,11 +14,13 @@ final class SceneReader {
   private final Values values;
   private final Fields defaults;
   private final MaterialReader materials;
+  private final Models models;
 
-  SceneReader(Fields defaults, MaterialReader materials, Values values) {
+  SceneReader(Fields defaults, MaterialReader materials, Models models, Values values) {
     this.values = values;
     this.defaults = defaults;
     this.materials = materials;
+    this.models = models;
   }
 
   /** Returns the scene, or null with its problems reported. */
@@ -41,7 +43,7 @@ final class SceneReader {
     scene.highlight(Highlight.valueOf(upper(f.word("highlights", "blinn", "phong"))));
     scene.transfer(Transfer.valueOf(upper(f.word("transfer", "srgb", "linear"))));
     MaterialReader own = new MaterialReader(f.get("materials"), materials, values);
-    SurfaceReader surfaces = new SurfaceReader(own, values);
+    SurfaceReader surfaces = new SurfaceReader(own, models, values);
     if (f.has("surfaces")) {
       for (YamlNode item : values.list(f.get("surfaces"), "surfaces")) {
         Placement placement = surfaces.read(item);

@@ -25,7 +25,7 @@ enum Section {
   POINT("a point light", "position color falloff", ""),
   DIRECTIONAL("a directional light", "direction color", ""),
   SPOT("a spot light", "position look_at color angle softness", ""),
-  SURFACE("a surface", "sphere triangle plane quad box pyramid cylinder cone", "prism mesh"),
+  SURFACE("a surface", "sphere triangle plane quad box pyramid cylinder cone mesh", "prism"),
   SPHERE("a sphere", "center radius" + Section.PLACED, ""),
   TRIANGLE("a triangle", "vertices" + Section.PLACED, ""),
   PLANE("a plane", "point normal" + Section.PLACED, ""),
@@ -34,6 +34,7 @@ enum Section {
   PYRAMID("a pyramid", "apex base" + Section.PLACED, ""),
   CYLINDER("a cylinder", "base top radius top_radius capped" + Section.PLACED, ""),
   CONE("a cone", "base top radius top_radius capped" + Section.PLACED, ""),
+  MESH("a mesh", "file" + Section.PLACED, ""),
   STEP("a transform", "scale rotate translate", ""),
   ROTATION("a rotation", "axis degrees", ""),
   MATERIAL(

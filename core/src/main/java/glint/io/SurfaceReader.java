@@ -26,11 +26,13 @@ final class SurfaceReader {
 
   private final Values values;
   private final MaterialReader materials;
+  private final Models models;
   private final TransformReader transforms;
 
-  SurfaceReader(MaterialReader materials, Values values) {
+  SurfaceReader(MaterialReader materials, Models models, Values values) {
     this.values = values;
     this.materials = materials;
+    this.models = models;
     transforms = new TransformReader(values);
   }
 
@@ -59,6 +61,7 @@ final class SurfaceReader {
       case PYRAMID -> pyramid(f);
       case CYLINDER -> cylinder(f, false);
       case CONE -> cylinder(f, true);
+      case MESH -> models.mesh(f.need("file"));
       default -> throw new IllegalArgumentException(section + " is no surface");
     };
   }

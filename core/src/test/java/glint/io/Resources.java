@@ -29,6 +29,16 @@ final class Resources {
       Output 100 100 s.png
       """;
 
+  /** The models beside the test's files. */
+  static final SceneFolder MODELS =
+      path -> {
+        InputStream in = Resources.class.getResourceAsStream(path);
+        if (in == null) {
+          throw new IOException("no such file");
+        }
+        return in;
+      };
+
   private Resources() {}
 
   /**
@@ -108,9 +118,19 @@ final class Resources {
     return read(text.getBytes(StandardCharsets.UTF_8), fileName);
   }
 
+  /** Reads a file of this repository, with the models that it names. */
+  static SceneFile read(Path file) throws IOException {
+    SceneFolder folder = path -> Files.newInputStream(file.resolveSibling(path));
+    return read(Files.readAllBytes(file), file.toString(), folder);
+  }
+
   static SceneFile read(byte[] bytes, String fileName) {
+    return read(bytes, fileName, MODELS);
+  }
+
+  static SceneFile read(byte[] bytes, String fileName, SceneFolder folder) {
     try {
-      return SceneFiles.read(new ByteArrayInputStream(bytes), fileName);
+      return SceneFiles.read(new ByteArrayInputStream(bytes), fileName, folder);
     } catch (IOException e) {
       throw new AssertionError(fileName, e);
     }

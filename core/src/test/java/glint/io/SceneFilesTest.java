@@ -112,7 +112,7 @@ class SceneFilesTest {
         };
     assertEquals(
         "zero.yaml: is too large: scene files hold up to 64 MiB",
-        SceneFiles.read(endless, "zero.yaml").problems().get(0).toString());
+        SceneFiles.read(endless, "zero.yaml", Resources.MODELS).problems().get(0).toString());
   }
 
   @Test
@@ -129,7 +129,7 @@ class SceneFilesTest {
             throw new IOException("gone");
           }
         };
-    assertThrows(IOException.class, () -> SceneFiles.read(failing, "a.yaml"));
+    assertThrows(IOException.class, () -> SceneFiles.read(failing, "a.yaml", Resources.MODELS));
   }
 
   @Test

@@ -8,6 +8,7 @@ import glint.color.Rgb;
 import glint.color.Transfer;
 import glint.geometry.Box;
 import glint.geometry.Cylinder;
+import glint.geometry.Mesh;
 import glint.geometry.Plane;
 import glint.geometry.Pyramid;
 import glint.geometry.Quad;
@@ -185,9 +186,11 @@ class YamlScenesTest {
             new Cylinder(O, Y, 2, 0, false),
             new Cylinder(O, Y, 2, 0, true),
             new Cylinder(O, Y, 2, 1, true));
-    assertEquals(
-        expected,
-        scenes.get(1).placements().stream().map(Placement::surface).collect(Collectors.toList()));
+    List<Surface> read =
+        scenes.get(1).placements().stream().map(Placement::surface).collect(Collectors.toList());
+    assertEquals(expected, read.subList(0, expected.size()));
+    assertEquals(2, ((Mesh) read.get(expected.size())).triangles());
+    assertEquals(expected.size() + 1, read.size());
     assertTrue(scenes.get(1).placements().stream().allMatch(p -> p.toWorld().isIdentity()));
   }
 

@@ -47,7 +47,10 @@ final class Repository {
 
   static SceneFile read(Path file) {
     try (InputStream in = Files.newInputStream(file)) {
-      return SceneFiles.read(in, file.getFileName().toString());
+      return SceneFiles.read(
+          in,
+          file.getFileName().toString(),
+          path -> Files.newInputStream(file.resolveSibling(path)));
     } catch (IOException e) {
       throw new UncheckedIOException(file.toString(), e);
     }
