@@ -14,7 +14,7 @@ import java.security.MessageDigest;
 import java.util.ArrayList;
 import java.util.List;
 
-/** Reads scene files from disk. */
+/** Reads scene files from disk, and the models that they name. */
 final class Inputs {
 
   private final List<Job> jobs = new ArrayList<>();
@@ -75,11 +75,11 @@ final class Inputs {
       throw new IOException("is a folder, not a scene file");
     }
     long began = System.nanoTime();
-    FileTime modified = Files.getLastModifiedTime(file);
+    ModelFolder folder = new ModelFolder(file);
     MessageDigest digest = Digests.begin();
     SceneFile content;
     try (InputStream in = new DigestInputStream(Files.newInputStream(file), digest)) {
-      content = SceneFiles.read(in, file.toString());
+      content = SceneFiles.read(in, file.toString(), folder);
     }
     broken += content.broken().size();
     String scenes = String.join(", ", content.broken());
@@ -91,7 +91,8 @@ final class Inputs {
     if (content.scenes().isEmpty() && content.problems().isEmpty()) {
       fail(file, file + ": holds no scene");
     }
-    String hash = Digests.end(digest);
+    FileTime modified = folder.newest();
+    String hash = folder.digest(Digests.end(digest));
     double seconds = (System.nanoTime() - began) * 1e-9 / Math.max(1, content.scenes().size());
     content.scenes().forEach(s -> jobs.add(new Job(file, modified, hash, seconds, s)));
   }

@@ -8,8 +8,8 @@ import java.nio.file.attribute.FileTime;
  * A scene that was read and shall be rendered; immutable.
  *
  * @param file where it was read
- * @param modified when that file was last changed
- * @param digest SHA-256 of the file's bytes, in hex
+ * @param modified when that file, or a model that it names, was last changed
+ * @param digest a hash of the file's bytes and of its models', in hex
  * @param loadSeconds its share of the time that reading the file took
  */
 record Job(Path file, FileTime modified, String digest, double loadSeconds, Scene scene) {}

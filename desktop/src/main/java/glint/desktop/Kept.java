@@ -19,7 +19,7 @@ final class Kept {
    * Returns the statistics of a scene if all files that this run would write for it are there.
    *
    * <p>A PNG carries a record, and must carry the one of this run. PFM files alone carry none: they
-   * must be whole, of the right size and newer than the scene file.
+   * must be whole, of the right size and newer than the scene file and its models.
    */
   static Optional<SceneStats> find(
       Job job, RenderSettings settings, OutputFiles files, RenderOptions.Format format) {

@@ -33,7 +33,8 @@ record RunRecord(String fingerprint, Map<String, String> files, SceneStats scene
 
   /**
    * Returns the hash of all that decides which files a run writes for a scene, and their bytes: the
-   * scene file, the scene's name, every option that changes an image, and the version.
+   * scene file and its models, the scene's name, every option that changes an image, and the
+   * version.
    */
   static String fingerprint(Job job, RenderSettings settings, RenderOptions.Format format) {
     String all =
