@@ -151,32 +151,36 @@ public final class Prepared {
     Set<Integer> seen = new TreeSet<>();
     Ray ray = new Ray();
     Ray local = new Ray();
-    Hit hit = new Hit();
     for (int i = 0; i < 6; i++) {
       double[] d = new double[3];
       d[i / 2] = i % 2 == 0 ? 1 : -1;
       ray.set(eye.x(), eye.y(), eye.z(), d[0], d[1], d[2]);
-      Map<Integer, Double> nearest = new TreeMap<>();
+      Map<Integer, Hit> nearest = new TreeMap<>();
       for (int slot = 0; slot < primitives.count(); slot++) {
         int surface = primitives.surface(slot);
         if (mediumOf[surface] == OUTSIDE || isOpen(surface) || seen.contains(surface)) {
           continue;
         }
-        hit.begin(nearest.getOrDefault(surface, Double.POSITIVE_INFINITY));
-        primitives.intersect(slot, ray, hit, local);
+        primitives.intersect(slot, ray, nearest.computeIfAbsent(surface, any -> begun()), local);
+      }
+      for (Map.Entry<Integer, Hit> entry : nearest.entrySet()) {
+        Hit hit = entry.getValue();
         if (hit.found()) {
-          nearest.put(surface, hit.t);
+          seen.add(entry.getKey());
           primitives.resolve(ray, hit, local);
           if (hit.crossing < 0) {
-            left.add(surface);
-          } else {
-            left.remove(surface);
+            left.add(entry.getKey());
           }
         }
       }
-      seen.addAll(nearest.keySet());
     }
     return left.stream().mapToInt(surface -> mediumOf[surface]).toArray();
+  }
+
+  private static Hit begun() {
+    Hit hit = new Hit();
+    hit.begin(Double.POSITIVE_INFINITY);
+    return hit;
   }
 
   /** Returns the number of things that a ray can hit. */
