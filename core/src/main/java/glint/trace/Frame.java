@@ -24,6 +24,11 @@ final class Frame {
   double weightG;
   double weightB;
 
+  /**
+   * By how much surfaces on the way have passed on more than they got: it is not worth more rays.
+   */
+  double gain;
+
   Frame(Prepared scene) {
     interior = new Interior(scene);
   }

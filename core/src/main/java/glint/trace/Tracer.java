@@ -80,6 +80,7 @@ public final class Tracer {
     Frame first = frame(0);
     first.ray.copy(ray);
     first.begin(tMax, 1, 1, 1);
+    first.gain = 1;
     first.interior.clear();
     for (int medium : scene.mediaAtEye()) {
       first.interior.enter(medium);
@@ -124,6 +125,8 @@ public final class Tracer {
       if (boundary.opaque && !plan.mirrors().used()) {
         return;
       }
+      // A surface that passes on more than it gets would double its rays at every bounce for ever.
+      f.gain *= Math.max(1, material.reflection().max() + material.transparency().max());
       double share = 0;
       boolean refracts = false;
       int deeper = depth + 1;
@@ -206,7 +209,7 @@ public final class Tracer {
   /** Returns whether a ray is worth following; if not, what it could bring is cut off. */
   private boolean matters(Frame f, int depth) {
     double weight = Math.max(f.weightR, Math.max(f.weightG, f.weightB));
-    if (weight > least && depth <= maxDepth) {
+    if (weight > least * f.gain && depth <= maxDepth) {
       return true;
     }
     cut += weight > 0 ? weight * scene.radianceBound() : 0;
@@ -242,6 +245,7 @@ public final class Tracer {
       return 1;
     }
     through.interior.copy(boundary.beyond);
+    through.gain = f.gain;
     double rest = 1 - share;
     double wr = f.weightR * transparency.r() * rest;
     double wg = f.weightG * transparency.g() * rest;

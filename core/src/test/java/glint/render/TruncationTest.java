@@ -86,6 +86,22 @@ class TruncationTest {
   }
 
   @Test
+  void aSurfaceThatMirrorsAndRefractsInFullEndsAllTheSame() {
+    Material impossible =
+        new Material(
+            Rgb.BLACK,
+            Rgb.BLACK,
+            Rgb.BLACK,
+            1,
+            Rgb.WHITE,
+            Rgb.BLACK,
+            Rgb.WHITE,
+            new Medium(1.5, Rgb.BLACK, 0));
+    RenderResult result = render(scene(impossible, impossible), OptionalInt.empty());
+    assertEquals(0, result.statistics().invalid());
+  }
+
+  @Test
   void perfectMirrorsAreBoundedByTheDisplay() {
     Material perfect = new Material(Rgb.BLACK, Rgb.BLACK, Rgb.BLACK, 1, Rgb.WHITE, Rgb.grey(0.5));
     double reported = render(scene(perfect, perfect), OptionalInt.of(0)).statistics().truncation();
