@@ -18,6 +18,8 @@ public final class HardCases {
     cases.addAll(CameraCases.all());
     cases.addAll(ShadowCases.all());
     cases.addAll(WorldCases.all());
+    cases.addAll(FresnelCases.all());
+    cases.addAll(ColorCases.all());
     cases.addAll(LeavingCases.all());
     cases.addAll(AdversarialCases.all());
     return List.copyOf(cases);
