@@ -4,6 +4,8 @@ import glint.io.YamlNode.Mapping;
 import glint.math.Vector3d;
 import glint.scene.Background;
 import glint.scene.Camera;
+import glint.scene.Orthographic;
+import glint.scene.Perspective;
 import glint.scene.Projection;
 
 /** Reads cameras and what they see where nothing is. */
@@ -20,22 +22,30 @@ final class CameraReader {
     Vector3d position = f.vector("position");
     Vector3d lookAt = f.vector("look_at");
     Vector3d up = f.has("up") ? f.vector("up") : new Vector3d(0, 1, 0);
-    Projection projection = projection(f.need("fov"));
+    Projection projection = projection(f);
     double near = f.number("near", 0);
     double far = f.number("far", Double.POSITIVE_INFINITY);
     return f.build(() -> new Camera(position, lookAt, up, projection, near, far));
   }
 
-  private Projection projection(YamlNode node) {
+  private Projection projection(Fields camera) {
+    if (!camera.means("orthographic")) {
+      return perspective(camera.need("fov"));
+    }
+    if (camera.has("fov")) {
+      values.report(camera.get("orthographic"), "a camera has either 'fov' or 'orthographic'");
+    }
+    return camera.has("orthographic")
+        ? values.checkedNumber(camera.get("orthographic"), Orthographic::new)
+        : null;
+  }
+
+  private Projection perspective(YamlNode node) {
     if (node == null) {
       return null;
     }
     if (!(node instanceof Mapping)) {
-      long before = values.problems().reports();
-      double degrees = values.number(node);
-      return values.problems().reports() == before
-          ? values.checked(node, () -> Projection.vertical(degrees))
-          : null;
+      return values.checkedNumber(node, Projection::vertical);
     }
     Fields f = new Fields(node, Section.FOV, values);
     if (f.isSound() && f.has("vertical") == f.has("horizontal")) {
@@ -46,7 +56,7 @@ final class CameraReader {
     double degrees = f.number(key, 1);
     YamlNode number = f.has(key) ? f.get(key) : node;
     return f.isSound()
-        ? values.checked(number, () -> new Projection(degrees, horizontal, 0))
+        ? values.checked(number, () -> new Perspective(degrees, horizontal, 0))
         : null;
   }
 

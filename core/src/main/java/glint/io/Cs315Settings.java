@@ -5,7 +5,7 @@ import glint.math.BadValueException;
 import glint.math.Vector3d;
 import glint.optics.Highlight;
 import glint.scene.Camera;
-import glint.scene.Projection;
+import glint.scene.Perspective;
 import glint.scene.Scene;
 import java.util.HashMap;
 import java.util.Map;
@@ -79,7 +79,7 @@ final class Cs315Settings {
           if (!(aspect > 0)) {
             throw new BadValueException("aspect", "must be positive, but is " + aspect);
           }
-          Projection p = new Projection(degrees, false, aspect == shape ? 0 : aspect);
+          Perspective p = new Perspective(degrees, false, aspect == shape ? 0 : aspect);
           scene.camera(Camera.of(eye, lookAt, up, p));
         });
   }

@@ -108,6 +108,11 @@ final class Fields {
     return get(key) != null;
   }
 
+  /** Returns whether a key is written, or seems to be meant by one that is misspelt. */
+  boolean means(String key) {
+    return has(key) || misspelt.contains(key);
+  }
+
   /** Returns the value of a key, or null if it is not written. */
   YamlNode get(String key) {
     if (!section.keys().contains(key)) {

@@ -17,7 +17,7 @@ enum Section {
       "title image camera background lights surfaces materials highlights transfer",
       "expect turntable"),
   IMAGE("an image", "width height", ""),
-  CAMERA("a camera", "position look_at up fov near far", "orthographic"),
+  CAMERA("a camera", "position look_at up fov orthographic near far", ""),
   FOV("an angle of view", "vertical horizontal", ""),
   BACKGROUND("a background", "down up", ""),
   LIGHT("a light", "ambient point directional spot", "area environment"),

@@ -9,6 +9,7 @@ import glint.math.Vector3d;
 import java.util.ArrayList;
 import java.util.Collections;
 import java.util.List;
+import java.util.function.DoubleFunction;
 import java.util.function.Supplier;
 import java.util.regex.Pattern;
 
@@ -73,6 +74,13 @@ final class Values {
       return 0;
     }
     return value;
+  }
+
+  /** Returns what a number makes, or null with its problem reported at the node. */
+  <T> T checkedNumber(YamlNode node, DoubleFunction<T> maker) {
+    long before = problems.reports();
+    double value = number(node);
+    return problems.reports() == before ? checked(node, () -> maker.apply(value)) : null;
   }
 
   int wholeNumber(YamlNode node) {

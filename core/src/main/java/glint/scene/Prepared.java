@@ -4,10 +4,8 @@ import glint.accel.Bvh;
 import glint.accel.Intersector;
 import glint.color.Rgb;
 import glint.geometry.Cylinder;
-import glint.geometry.Hit;
 import glint.geometry.Primitives;
 import glint.geometry.Quad;
-import glint.geometry.Ray;
 import glint.geometry.Surface;
 import glint.geometry.Triangle;
 import glint.light.Illumination;
@@ -16,10 +14,6 @@ import glint.optics.Material;
 import glint.optics.Medium;
 import java.util.ArrayList;
 import java.util.List;
-import java.util.Map;
-import java.util.Set;
-import java.util.TreeMap;
-import java.util.TreeSet;
 
 /**
  * A scene in the form that rays touch, and the plan of what it needs; immutable, for all workers.
@@ -60,7 +54,9 @@ public final class Prepared {
     tree = plan.tree().used() ? Bvh.over(primitives) : null;
     this.primitives = tree == null ? primitives : tree.primitives();
     radianceBound = boundRadiance();
-    mediaAtEye = plan.refraction().used() ? findMediaAtEye() : new int[0];
+    Vector3d eye = scene.camera().position();
+    boolean media = plan.refraction().used();
+    mediaAtEye = media ? new EyeMedia(this, this.primitives).around(eye) : new int[0];
   }
 
   /** Flattens a scene and decides what it needs. */
@@ -139,48 +135,6 @@ public final class Prepared {
   /** Returns the media that the eye is inside of, outermost first; nobody may change the array. */
   public int[] mediaAtEye() {
     return mediaAtEye;
-  }
-
-  /**
-   * Looks from the eye along six directions for each surface that encloses a medium: inside is
-   * where the first that meets it leaves it.
-   */
-  private int[] findMediaAtEye() {
-    Vector3d eye = scene.camera().position();
-    Set<Integer> left = new TreeSet<>();
-    Set<Integer> seen = new TreeSet<>();
-    Ray ray = new Ray();
-    Ray local = new Ray();
-    for (int i = 0; i < 6; i++) {
-      double[] d = new double[3];
-      d[i / 2] = i % 2 == 0 ? 1 : -1;
-      ray.set(eye.x(), eye.y(), eye.z(), d[0], d[1], d[2]);
-      Map<Integer, Hit> nearest = new TreeMap<>();
-      for (int slot = 0; slot < primitives.count(); slot++) {
-        int surface = primitives.surface(slot);
-        if (mediumOf[surface] == OUTSIDE || isOpen(surface) || seen.contains(surface)) {
-          continue;
-        }
-        primitives.intersect(slot, ray, nearest.computeIfAbsent(surface, any -> begun()), local);
-      }
-      for (Map.Entry<Integer, Hit> entry : nearest.entrySet()) {
-        Hit hit = entry.getValue();
-        if (hit.found()) {
-          seen.add(entry.getKey());
-          primitives.resolve(ray, hit, local);
-          if (hit.crossing < 0) {
-            left.add(entry.getKey());
-          }
-        }
-      }
-    }
-    return left.stream().mapToInt(surface -> mediumOf[surface]).toArray();
-  }
-
-  private static Hit begun() {
-    Hit hit = new Hit();
-    hit.begin(Double.POSITIVE_INFINITY);
-    return hit;
   }
 
   /** Returns the number of things that a ray can hit. */

@@ -14,6 +14,7 @@ public final class View {
   private final Vector3d up;
   private final double halfWidth;
   private final double halfHeight;
+  private final boolean parallel;
 
   /** Sets up the camera's frame for an image of {@code width × height} pixels. */
   public View(Camera camera, int width, int height) {
@@ -27,6 +28,7 @@ public final class View {
     up = right.cross(forward);
     halfWidth = camera.projection().halfWidth(width, height);
     halfHeight = camera.projection().halfHeight(width, height);
+    parallel = camera.projection() instanceof Orthographic;
   }
 
   /**
@@ -42,11 +44,19 @@ public final class View {
   public double ray(double x, double y, Ray ray) {
     double sx = (2 * x - width) / width * halfWidth;
     double sy = (height - 2 * y) / height * halfHeight;
-    double dx = forward.x() + (sx * right.x() + sy * up.x());
-    double dy = forward.y() + (sx * right.y() + sy * up.y());
-    double dz = forward.z() + (sx * right.z() + sy * up.z());
-    double length = Math.sqrt(dx * dx + dy * dy + dz * dz);
+    double px = sx * right.x() + sy * up.x();
+    double py = sx * right.y() + sy * up.y();
+    double pz = sx * right.z() + sy * up.z();
     Vector3d eye = camera.position();
+    if (parallel) {
+      ray.set(eye.x() + px, eye.y() + py, eye.z() + pz, forward.x(), forward.y(), forward.z());
+      ray.tMin = camera.near();
+      return camera.far();
+    }
+    double dx = forward.x() + px;
+    double dy = forward.y() + py;
+    double dz = forward.z() + pz;
+    double length = Math.sqrt(dx * dx + dy * dy + dz * dz);
     ray.set(eye.x(), eye.y(), eye.z(), dx / length, dy / length, dz / length);
     // The component along the view is 1, so a clipping distance is reached at t = length times it.
     ray.tMin = camera.near() * length;

@@ -7,6 +7,7 @@ import glint.optics.Fresnel;
 import glint.optics.Material;
 import glint.optics.Medium;
 import glint.scene.Prepared;
+import java.util.Arrays;
 
 /**
  * What a ray meets at one place: all transparent surfaces within the rounding of one hit, as one
@@ -41,6 +42,12 @@ final class Boundary {
   /** The index of refraction before over that beyond. */
   double eta;
 
+  /** The surfaces crossed here, and for each whether that leads in (1), out (-1) or back (0). */
+  private int[] crossed = new int[8];
+
+  private int[] balance = new int[8];
+  private int crossings;
+
   Boundary(Prepared scene, Intersector intersector) {
     this.scene = scene;
     this.intersector = intersector;
@@ -48,7 +55,7 @@ final class Boundary {
   }
 
   /**
-   * Meets the surfaces at a hit.
+   * Meets the surfaces at a hit. Where one is opaque, {@link #beyond} is what lies before it.
    *
    * @param ray the ray that hit; it goes on after what was crossed
    * @param end where the ray ends
@@ -58,12 +65,13 @@ final class Boundary {
   void meet(Ray ray, double end, Hit hit, Interior interior) {
     surface = hit.surface;
     several = false;
+    beyond.copy(interior);
     opaque = !scene.material(surface).isTransparent();
     if (opaque) {
       return;
     }
     int before = interior.current();
-    beyond.copy(interior);
+    crossings = 0;
     cross(hit);
     visible = scene.isOpen(surface) || scene.mediumOf(surface) == Prepared.OUTSIDE;
     ray.goOnAfter(hit);
@@ -94,12 +102,32 @@ final class Boundary {
     eta = scene.medium(before).ior() / scene.medium(after).ior();
   }
 
+  /**
+   * Goes in or out of a surface's medium, but not twice the same way: a ray through an edge meets
+   * both faces.
+   */
   private void cross(Hit hit) {
     int medium = scene.mediumOf(hit.surface);
-    if (medium != Prepared.OUTSIDE) {
+    if (medium == Prepared.OUTSIDE || hit.crossing == 0) {
+      return;
+    }
+    int i = 0;
+    while (i < crossings && crossed[i] != hit.surface) {
+      i++;
+    }
+    if (i == crossed.length) {
+      crossed = Arrays.copyOf(crossed, 2 * i);
+      balance = Arrays.copyOf(balance, 2 * i);
+    }
+    if (i == crossings) {
+      crossed[crossings++] = hit.surface;
+      balance[i] = 0;
+    }
+    if (balance[i] != hit.crossing) {
+      balance[i] += hit.crossing;
       if (hit.crossing > 0) {
         beyond.enter(medium);
-      } else if (hit.crossing < 0) {
+      } else {
         beyond.leave(medium);
       }
     }

@@ -31,6 +31,7 @@ public final class Tracer {
   private final Hit hit = new Hit();
   private final Boundary boundary;
   private final DirectLight direct;
+  private final StartMedia start;
   private final List<Frame> frames = new ArrayList<>();
 
   /** The radiance found by the last call of {@link #trace}, linear. */
@@ -58,6 +59,7 @@ public final class Tracer {
     this.least = negligible / (bound < Double.POSITIVE_INFINITY ? bound : 1);
     boundary = new Boundary(scene, intersector);
     direct = new DirectLight(scene, intersector, counts);
+    start = new StartMedia(scene, intersector);
   }
 
   /** Returns the rays traced so far. */
@@ -81,9 +83,10 @@ public final class Tracer {
     first.ray.copy(ray);
     first.begin(tMax, 1, 1, 1);
     first.gain = 1;
+    first.from = ray.tMin;
     first.interior.clear();
-    for (int medium : scene.mediaAtEye()) {
-      first.interior.enter(medium);
+    if (plan.refraction().used()) {
+      start.find(ray, first.interior);
     }
     follow(0, 0);
   }

@@ -18,6 +18,8 @@ import glint.optics.Highlight;
 import glint.optics.Material;
 import glint.scene.Background;
 import glint.scene.Camera;
+import glint.scene.Orthographic;
+import glint.scene.Perspective;
 import glint.scene.Placement;
 import glint.scene.Projection;
 import glint.scene.Scene;
@@ -92,7 +94,8 @@ final class SceneDraw {
     double aspect = chance.oneIn(4) ? extremes.size() : 0;
     double near = chance.oneIn(3) ? extremes.size() : 0;
     double far = chance.oneIn(3) ? extremes.size() : Double.POSITIVE_INFINITY;
-    Projection projection = new Projection(fov, chance.oneIn(2), aspect);
+    Projection lens = new Perspective(fov, chance.oneIn(2), aspect);
+    Projection projection = chance.oneIn(4) ? new Orthographic(extremes.size()) : lens;
     return new Camera(position, lookAt, extremes.direction(), projection, near, far);
   }
 

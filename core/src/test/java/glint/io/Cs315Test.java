@@ -16,6 +16,7 @@ import glint.optics.Highlight;
 import glint.optics.Material;
 import glint.scene.Background;
 import glint.scene.Camera;
+import glint.scene.Perspective;
 import glint.scene.Placement;
 import glint.scene.Projection;
 import glint.scene.Scene;
@@ -67,10 +68,10 @@ class Cs315Test {
     for (String output : List.of("Output 512 256 a.png\n", "")) {
       String text = output + camera + "2\n" + (output.isEmpty() ? "Output 512 256 a.png\n" : "");
       Scene wide = Resources.read(text, "a.txt").scenes().get(0);
-      assertEquals(0, wide.camera().projection().aspect());
+      assertEquals(new Perspective(40, false, 0), wide.camera().projection());
     }
     Scene narrow = Resources.read(camera + "0.5\nOutput 512 256 a.png\n", "a.txt").scenes().get(0);
-    assertEquals(0.5, narrow.camera().projection().aspect());
+    assertEquals(new Perspective(40, false, 0.5), narrow.camera().projection());
   }
 
   @Test

@@ -7,6 +7,7 @@ import glint.color.Rgb;
 import glint.geometry.Plane;
 import glint.math.Vector3d;
 import glint.optics.Material;
+import glint.scene.Perspective;
 import glint.scene.Placement;
 import glint.scene.Scene;
 import java.util.List;
@@ -54,7 +55,7 @@ class SceneFormatDocTest {
     assertEquals("leaning-box", second.title());
     assertEquals(400, second.width());
     assertEquals(first.background(), second.background());
-    assertTrue(second.camera().projection().horizontal());
+    assertEquals(new Perspective(30, true, 0), second.camera().projection());
     assertEquals(Material.WHITE, second.placements().get(1).material());
   }
 

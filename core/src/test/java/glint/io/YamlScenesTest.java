@@ -23,6 +23,8 @@ import glint.optics.Material;
 import glint.optics.Medium;
 import glint.scene.Background;
 import glint.scene.Camera;
+import glint.scene.Orthographic;
+import glint.scene.Perspective;
 import glint.scene.Placement;
 import glint.scene.Projection;
 import glint.scene.Scene;
@@ -53,7 +55,7 @@ class YamlScenesTest {
   @Test
   void scenesComeInFileOrder() {
     assertEquals(
-        List.of("lights and materials", "surfaces", "transforms"),
+        List.of("lights and materials", "surfaces", "transforms", "orthographic"),
         scenes.stream().map(Scene::name).collect(Collectors.toList()));
   }
 
@@ -62,7 +64,7 @@ class YamlScenesTest {
     Scene scene = scenes.get(0);
     assertEquals("Lights: four kinds", scene.title());
     assertEquals("64x48", scene.width() + "x" + scene.height());
-    Projection projection = new Projection(40.5, false, 0);
+    Projection projection = new Perspective(40.5, false, 0);
     assertEquals(Camera.of(v(1, 2, 3), v(4, 5, 6), v(0, 0, 2), projection), scene.camera());
     double grey = Transfer.SRGB.decode(128 / 255.0);
     assertEquals(Background.constant(Rgb.grey(grey)), scene.background());
@@ -77,7 +79,7 @@ class YamlScenesTest {
     assertEquals("surfaces", scene.title());
     assertEquals("320x200", scene.width() + "x" + scene.height());
     assertEquals(
-        new Camera(v(0, 1, 8), v(0, 1, 0), Y, new Projection(60, true, 0), 0.5, 100),
+        new Camera(v(0, 1, 8), v(0, 1, 0), Y, new Perspective(60, true, 0), 0.5, 100),
         scene.camera());
     assertEquals(new Background(Rgb.grey(0.25), new Rgb(0, 0, 1)), scene.background());
     assertEquals(List.of(new Light.Ambient(Rgb.grey(0.125))), scene.lights());
@@ -88,6 +90,12 @@ class YamlScenesTest {
   @Test
   void ownCameraReplacesTheDefaultOneWhole() {
     assertEquals(Camera.of(v(0, 0, 9), O, Y, Projection.vertical(30)), scenes.get(2).camera());
+  }
+
+  @Test
+  void aCameraMayBeOrthographic() {
+    assertEquals(
+        new Camera(v(0, 0, 9), O, Y, new Orthographic(12.5), 0, 20), scenes.get(3).camera());
   }
 
   @Test

@@ -68,7 +68,7 @@ class CameraTest {
   void aHorizontalAngleSpansTheWidth() {
     View view =
         new View(
-            looking(Vector3d.ZERO, new Vector3d(0, 0, -1), new Projection(90, true, 0)), 200, 100);
+            looking(Vector3d.ZERO, new Vector3d(0, 0, -1), new Perspective(90, true, 0)), 200, 100);
     Ray ray = new Ray();
     view.ray(0, 50, ray);
     assertEquals(-1, ray.dx / -ray.dz, 2 * U);
@@ -87,6 +87,44 @@ class CameraTest {
   }
 
   @Test
+  void anOrthographicRayStartsOnThePlaneThroughTheEye() {
+    Vector3d eye = new Vector3d(1, 2, 3);
+    Camera camera = new Camera(eye, new Vector3d(1, 2, -4), UP, new Orthographic(6), 0.5, 9);
+    View view = new View(camera, 12, 6);
+    Ray ray = new Ray();
+    for (int x = 0; x < 12; x++) {
+      for (int y = 0; y < 6; y++) {
+        assertEquals(9, view.ray(x + 0.5, y + 0.5, ray));
+        assertEquals(0.5, ray.tMin);
+        assertEquals(1 + (x - 5.5), ray.ox);
+        assertEquals(2 + (2.5 - y), ray.oy);
+        assertEquals(3, ray.oz);
+        assertEquals(0, ray.dx);
+        assertEquals(0, ray.dy);
+        assertEquals(-1, ray.dz);
+      }
+    }
+  }
+
+  @Test
+  void anOrthographicViewIsMirroredBitForBit() {
+    Vector3d eye = new Vector3d(0.3, 1.7, 5);
+    Vector3d target = new Vector3d(-1, 0.2, 0.1);
+    View view = new View(looking(eye, target, new Orthographic(3.7)), 33, 20);
+    View mirrored = new View(looking(mirror(eye), mirror(target), new Orthographic(3.7)), 33, 20);
+    Ray a = new Ray();
+    Ray b = new Ray();
+    for (int x = 0; x < 33; x++) {
+      for (int y = 0; y < 20; y++) {
+        view.ray(x + 0.5, y + 0.5, a);
+        mirrored.ray(32 - x + 0.5, y + 0.5, b);
+        assertEquals(new Vector3d(a.ox, a.oy, a.oz), mirror(new Vector3d(b.ox, b.oy, b.oz)));
+        assertEquals(new Vector3d(a.dx, a.dy, a.dz), mirror(new Vector3d(b.dx, b.dy, b.dz)));
+      }
+    }
+  }
+
+  @Test
   void aCameraWithoutADirectionIsRefused() {
     Projection lens = Projection.vertical(40);
     Vector3d eye = new Vector3d(1, 1, 1);
@@ -95,6 +133,7 @@ class CameraTest {
     assertRefused("up", () -> looking(eye, new Vector3d(1, -5, 1), lens));
     assertRefused("fov", () -> Projection.vertical(180));
     assertRefused("fov", () -> Projection.vertical(Double.NaN));
+    assertRefused("orthographic", () -> new Orthographic(0));
     assertRefused("near", () -> new Camera(eye, Vector3d.ZERO, UP, lens, 5, 5));
     assertRefused("position", () -> looking(new Vector3d(Double.NaN, 0, 0), eye, lens));
   }

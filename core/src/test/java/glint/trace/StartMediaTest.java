@@ -1,0 +1,167 @@
+package glint.trace;
+
+import static org.junit.jupiter.api.Assertions.assertArrayEquals;
+import static org.junit.jupiter.api.Assertions.assertEquals;
+
+import glint.color.Rgb;
+import glint.geometry.Box;
+import glint.geometry.Mesh;
+import glint.geometry.Quad;
+import glint.geometry.Ray;
+import glint.geometry.Sphere;
+import glint.geometry.Surface;
+import glint.math.Vector3d;
+import glint.optics.Material;
+import glint.optics.Medium;
+import glint.scene.Background;
+import glint.scene.Camera;
+import glint.scene.Orthographic;
+import glint.scene.Placement;
+import glint.scene.Prepared;
+import glint.scene.Projection;
+import glint.scene.Scene;
+import glint.scene.View;
+import org.junit.jupiter.api.Test;
+
+/** Which media a camera ray is in when it starts: relative error 1e-12. */
+class StartMediaTest {
+
+  private static final double SIGMA = 0.5;
+  private static final Projection NARROW = Projection.vertical(1e-9);
+
+  private static Vector3d v(double x, double y, double z) {
+    return new Vector3d(x, y, z);
+  }
+
+  private static Material medium(double ior, double sigma, int priority) {
+    Medium inside = new Medium(ior, Rgb.grey(sigma), priority);
+    return new Material(
+        Rgb.BLACK, Rgb.BLACK, Rgb.BLACK, 1, Rgb.BLACK, Rgb.BLACK, Rgb.WHITE, inside);
+  }
+
+  private static Placement smoke(Surface surface) {
+    return Placement.of(surface, medium(1, SIGMA, 0));
+  }
+
+  /** The octahedron with corners at distance 1 on the axes. */
+  private static Mesh octahedron() {
+    double[] corners = {1, 0, 0, 0, 1, 0, -1, 0, 0, 0, -1, 0, 0, 0, 1, 0, 0, -1};
+    int[] faces = {0, 1, 4, 1, 2, 4, 2, 3, 4, 3, 0, 4, 1, 0, 5, 2, 1, 5, 3, 2, 5, 0, 3, 5};
+    return new Mesh(corners, faces);
+  }
+
+  /** Returns what a pixel's centre sees along -z in a white field. */
+  private static double seen(Camera camera, int size, int x, int y, Placement... placements) {
+    Scene.Builder scene =
+        new Scene.Builder("start").camera(camera).background(Background.constant(Rgb.WHITE));
+    for (Placement placement : placements) {
+      scene.place(placement);
+    }
+    Tracer tracer = new Tracer(Prepared.of(scene.build()), 20, 0x1p-50);
+    Ray ray = new Ray();
+    double end = new View(camera, size, size).ray(x + 0.5, y + 0.5, ray);
+    tracer.trace(ray, end);
+    return tracer.r;
+  }
+
+  private static Camera at(Vector3d eye, Projection projection, double near) {
+    return new Camera(
+        eye, eye.plus(v(0, 0, -1)), v(0, 1, 0), projection, near, Double.POSITIVE_INFINITY);
+  }
+
+  private static void assertFaded(double length, double actual) {
+    double expected = StrictMath.exp(-SIGMA * length);
+    assertEquals(expected, actual, 1e-12 * expected);
+  }
+
+  @Test
+  void whatLiesBeforeTheNearPlaneIsCrossed() {
+    Placement ball = smoke(new Sphere(Vector3d.ZERO, 2));
+    assertFaded(4, seen(at(v(0, 0, 5), NARROW, 0), 1, 0, 0, ball));
+    assertFaded(4, seen(at(v(0, 0, 5), NARROW, 2.5), 1, 0, 0, ball));
+    assertFaded(1.5, seen(at(v(0, 0, 5), NARROW, 5.5), 1, 0, 0, ball));
+    assertFaded(0, seen(at(v(0, 0, 5), NARROW, 7.5), 1, 0, 0, ball));
+    assertFaded(1, seen(at(v(0, 0, 1), NARROW, 2), 1, 0, 0, ball));
+    assertFaded(0, seen(at(v(0, 0, 1), NARROW, 3.5), 1, 0, 0, ball));
+  }
+
+  @Test
+  void somethingOpaqueBeforeTheNearPlaneHidesNoMedium() {
+    Placement ball = smoke(new Sphere(Vector3d.ZERO, 2));
+    Placement wall = Placement.of(new Quad(v(-1, -1, 3), v(2, 0, 0), v(0, 2, 0)), Material.WHITE);
+    Placement lid = Placement.of(new Quad(v(-1, -1, 2), v(2, 0, 0), v(0, 2, 0)), Material.WHITE);
+    assertFaded(1.5, seen(at(v(0, 0, 5), NARROW, 5.5), 1, 0, 0, ball, wall));
+    assertFaded(1.5, seen(at(v(0, 0, 5), NARROW, 5.5), 1, 0, 0, lid, ball));
+  }
+
+  @Test
+  void everyRayOfAnOrthographicCameraHasItsOwnMedia() {
+    Placement ball = smoke(new Sphere(v(3, 0, 0), 1));
+    // Pixels are 1 wide: their centres lie at x = -4, -3, ..., 4.
+    Projection plane = new Orthographic(9);
+    assertFaded(0, seen(at(v(0, 0, 0), plane, 0), 9, 4, 4, ball));
+    assertFaded(1, seen(at(v(0, 0, 0), plane, 0), 9, 7, 4, ball));
+    assertFaded(0.5, seen(at(v(0, 0, 0), plane, 0.5), 9, 7, 4, ball));
+    assertFaded(1, seen(at(v(3, 0, 0), plane, 0), 9, 4, 4, ball));
+    assertFaded(0, seen(at(v(3, 0, 0), plane, 0), 9, 1, 4, ball));
+    Placement other = Placement.of(new Sphere(v(-3, 0, -2), 2.5), medium(1, 2 * SIGMA, 0));
+    assertFaded(9, seen(at(v(1, 0, 0), plane, 0), 9, 0, 4, ball, other));
+    Placement around = Placement.of(new Sphere(v(1, 0, 0), 1), medium(1, SIGMA, 0));
+    assertFaded(9, seen(at(v(1, 0, 0), plane, 0), 9, 0, 4, around, other));
+  }
+
+  @Test
+  void theIndexAtTheStartDecidesWhatIsReflected() {
+    // From glass of 1.5 into air, seen from within: at normal incidence 4 % come back.
+    Placement glass = Placement.of(new Box(v(-9, -9, -1), v(9, 9, 9)), medium(1.5, 0, 0));
+    Placement air = Placement.of(new Box(v(-9, -9, -1), v(9, 9, -0.5)), medium(1, 0, 1));
+    Placement wall = Placement.of(new Box(v(-99, -99, -3), v(99, 99, -2)), Material.WHITE);
+    for (Projection projection : new Projection[] {NARROW, new Orthographic(9)}) {
+      // What is reflected at z = -0.5 leaves through z = 9 and is reflected there again.
+      double loop = 0.04 * 0.96 / (1 - 0.04 * 0.04);
+      double seen = seen(at(v(0, 0, 1), projection, 0), 9, 4, 4, glass, air, wall);
+      assertEquals(loop, seen, 1e-12);
+    }
+  }
+
+  @Test
+  void aRayThatOnlyTouchesABodyDoesNotDecideWhetherTheEyeIsInIt() {
+    Placement ball = smoke(new Sphere(v(0, 0, 0), 1));
+    assertFaded(0, seen(at(v(-5, 1, 0), NARROW, 0), 1, 0, 0, ball));
+    Placement stone = smoke(octahedron());
+    for (Vector3d eye : new Vector3d[] {v(-5, 1, 0), v(-5, 0, 1), v(5, 0, -1), v(0, -5, 1)}) {
+      assertFaded(0, seen(at(eye, NARROW, 0), 1, 0, 0, stone));
+    }
+    assertFaded(1, seen(at(v(0, 0, 0), NARROW, 0), 1, 0, 0, stone));
+    assertFaded(0.75, seen(at(v(0.25, 0, 0), NARROW, 0), 1, 0, 0, stone));
+  }
+
+  @Test
+  void theMediaAtTheEyeAreOutermostFirst() {
+    Placement large = Placement.of(new Sphere(v(0, 0, 0), 3), medium(1, 1, 0));
+    Placement small = Placement.of(new Sphere(v(0.5, 0, 0), 1), medium(1, 2, 0));
+    Scene.Builder scene = new Scene.Builder("eye").camera(at(Vector3d.ZERO, NARROW, 0));
+    Prepared inner = Prepared.of(scene.place(small).place(large).build());
+    assertArrayEquals(new int[] {inner.mediumOf(1), inner.mediumOf(0)}, inner.mediaAtEye());
+    assertFaded(2 * 2 * Math.sqrt(0.75) + 2 * (3 - Math.sqrt(0.75)), seenIn(small, large));
+    assertFaded(2 * 2 * Math.sqrt(0.75) + 2 * (3 - Math.sqrt(0.75)), seenIn(large, small));
+  }
+
+  private static double seenIn(Placement... bodies) {
+    return seen(at(Vector3d.ZERO, NARROW, 0), 1, 0, 0, bodies);
+  }
+
+  @Test
+  void anEdgeBetweenTwoTrianglesOfAFaceIsCrossedOnce() {
+    // The rays go in through a diagonal and come out beside one, or the other way round.
+    Placement front = smoke(new Quad(v(-1, -1, 0), v(2, 0, 0), v(0, 2, 0)));
+    Placement back = smoke(new Quad(v(-1.5, -1, -1), v(0, 2, 0), v(2, 0, 0)));
+    assertFaded(1, seen(at(v(0, 0, 5), NARROW, 0), 1, 0, 0, front, back));
+    assertFaded(1, seen(at(v(-0.5, 0, 5), NARROW, 0), 1, 0, 0, front, back));
+    assertFaded(1, seen(at(v(0.25, 0, 5), NARROW, 0), 1, 0, 0, front, back));
+    Placement stone = smoke(octahedron());
+    assertFaded(1, seen(at(v(0.25, 0.25, 5), NARROW, 0), 1, 0, 0, stone));
+    assertFaded(1.5, seen(at(v(0.25, 0, 5), NARROW, 0), 1, 0, 0, stone));
+    assertFaded(2, seen(at(v(0, 0, 5), NARROW, 0), 1, 0, 0, stone));
+  }
+}
