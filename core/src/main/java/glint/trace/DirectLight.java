@@ -116,14 +116,15 @@ final class DirectLight {
       intersector.resolve(shadowRay, blocker);
       blocker.face(shadowRay);
       interior.complete(blocker);
-      absorb((blocker.t - from) * length);
-      from = blocker.t;
+      double t = blocker.t;
       double cos = Math.abs(dx * blocker.nx + dy * blocker.ny + dz * blocker.nz) / length;
       boundary.meet(shadowRay, end, blocker, interior);
       if (boundary.opaque) {
         return false;
       }
       if (boundary.visible) {
+        absorb((t - from) * length);
+        from = t;
         Rgb transparency = boundary.material().transparency();
         double through = 1 - boundary.shadowReflectance(Math.min(cos, 1));
         passR *= transparency.r() * through;

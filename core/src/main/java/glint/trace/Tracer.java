@@ -173,9 +173,10 @@ public final class Tracer {
         return true;
       }
       f.interior.complete(hit);
-      absorb(f, hit.t);
+      double t = hit.t;
       boundary.meet(f.ray, f.end, hit, f.interior);
       if (boundary.opaque || boundary.visible) {
+        absorb(f, t);
         return true;
       }
       f.interior.copy(boundary.beyond);

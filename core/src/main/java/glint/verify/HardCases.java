@@ -19,6 +19,8 @@ public final class HardCases {
     cases.addAll(ShadowCases.all());
     cases.addAll(WorldCases.all());
     cases.addAll(FresnelCases.all());
+    cases.addAll(BodyCases.all());
+    cases.addAll(EnergyCases.all());
     cases.addAll(ColorCases.all());
     cases.addAll(LeavingCases.all());
     cases.addAll(AdversarialCases.all());
