@@ -1,7 +1,14 @@
 package glint.verify;
 
+import glint.color.Rgb;
+import glint.geometry.Box;
+import glint.geometry.Plane;
 import glint.math.Rounding;
+import glint.math.Vector3d;
 import glint.optics.Fresnel;
+import glint.optics.Material;
+import glint.scene.Placement;
+import glint.trace.Tracer;
 import java.math.BigDecimal;
 import java.util.List;
 
@@ -15,6 +22,7 @@ final class FresnelCases {
   static List<HardCase> all() {
     return List.of(
         HardCase.exact("R02", "total reflection begins where it should", FresnelCases::critical),
+        HardCase.exact("R02-rays", "beyond it no ray goes through", FresnelCases::transmitted),
         HardCase.within("R02-ulp", "an angle on the edge of it", 5, "u", FresnelCases::edge),
         HardCase.within("R03", "R + T = 1, T from the amplitudes", 8, "u", FresnelCases::energy),
         HardCase.within("R04", "light takes the same way back", 1e-14, "R", FresnelCases::back),
@@ -22,7 +30,8 @@ final class FresnelCases {
             "R04-critical", "the same near critical", 28, "u/cos", FresnelCases::backFromCritical),
         HardCase.within("R12-share", "R → 1 at 90° - 1e-9", 8, "u", FresnelCases::grazing),
         HardCase.within(
-            "R13", "Schlick is off by .0357 and .73 as known", 5e-5, "R", FresnelCases::schlick));
+            "R13", "Schlick is off by .0357 and .73 as known", 5e-5, "R", FresnelCases::schlick),
+        HardCase.within("R13-floor", "rays reflect by the exact law", 8, "u", FresnelCases::floor));
   }
 
   /** Returns the share that is reflected. */
@@ -66,6 +75,23 @@ final class FresnelCases {
       double t = Fresnel.transmittance(cosIn, cosOut, eta);
       tally.check(goes == off < 0);
       tally.check(goes ? cosOut > 0 && r < 1 && t > 0 : cosOut < 0 && r == 1 && t == 0);
+    }
+  }
+
+  /** Rays inside a slab, at its upper face. */
+  private static void transmitted(Tally tally) {
+    Dice dice = new Dice(7);
+    Box slab = new Box(new Vector3d(-9, -1, -9), new Vector3d(9, 0, 9));
+    Tracer tracer = Glass.tracer(Glass.field().place(Placement.of(slab, Glass.of(GLASS))), 1);
+    for (int i = 0; i < tally.times(5000, 100_000); i++) {
+      double off = dice.sign() * (i % 2 == 0 ? 1e-12 : dice.log(1e-12, 0.1));
+      double angle = StrictMath.asin(1 / GLASS) + off;
+      Vector3d way = new Vector3d(StrictMath.sin(angle), StrictMath.cos(angle), 0).normalized();
+      long before = tracer.counts().refraction;
+      double found = Glass.red(tracer, new Vector3d(0, -0.5, 0), way);
+      boolean goes = through(way.y(), GLASS).signum() > 0;
+      tally.check(tracer.counts().refraction - before == (goes ? 1 : 0));
+      tally.check(goes ? found > 0 : found == 0 && tracer.cut == 1);
     }
   }
 
@@ -178,6 +204,23 @@ final class FresnelCases {
       }
       tally.check(where == (eta < 1 ? 0.088 : 0.746));
       tally.error(Math.abs(most - (eta < 1 ? 0.0357 : 0.726)));
+    }
+  }
+
+  /** A floor that swallows what it refracts, under a sky of 1, shows the share by itself. */
+  private static void floor(Tally tally) {
+    Dice dice = new Dice(8);
+    for (int i = 0; i < tally.times(500, 20_000); i++) {
+      double n = i % 2 == 0 ? GLASS : dice.in(1.1, 4);
+      Plane floor = new Plane(new Vector3d(0, -1, 0), Pictures.UP);
+      Material black = Glass.of(n, Rgb.WHITE, 0);
+      Tracer tracer = Glass.tracer(Glass.field().place(Placement.of(floor, black)), 2);
+      for (int k = 0; k < 10; k++) {
+        Vector3d way = new Vector3d(1, -dice.log(1e-3, 1e3), 0).normalized();
+        double found = Glass.red(tracer, Vector3d.ZERO, way);
+        tally.error(differs(found, exactReflectance(-way.y(), 1 / n)));
+        tally.check(true);
+      }
     }
   }
 }
