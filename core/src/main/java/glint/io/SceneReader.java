@@ -52,6 +52,12 @@ final class SceneReader {
         }
       }
     }
+    if (f.has("expect")) {
+      ExpectationReader expectations = new ExpectationReader(values);
+      for (YamlNode item : values.list(f.get("expect"), "expectations")) {
+        expectations.read(item, scene);
+      }
+    }
     return f.build(scene::build);
   }
 

@@ -14,8 +14,9 @@ enum Section {
   DEFAULTS("defaults", "image camera background lights", ""),
   SCENE(
       "a scene",
-      "title image camera background lights surfaces materials highlights transfer",
-      "expect turntable"),
+      "title image camera background lights surfaces materials highlights transfer expect",
+      "turntable"),
+  EXPECTATION("an expectation", "pixel value mean tolerance relative samples depth", ""),
   IMAGE("an image", "width height", ""),
   CAMERA("a camera", "position look_at up fov orthographic near far", ""),
   FOV("an angle of view", "vertical horizontal", ""),

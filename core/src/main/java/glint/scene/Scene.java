@@ -6,6 +6,7 @@ import glint.math.BadValueException;
 import glint.optics.Highlight;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Locale;
 import java.util.OptionalInt;
 
 /**
@@ -16,6 +17,7 @@ import java.util.OptionalInt;
  * @param width columns of the image
  * @param height rows of the image
  * @param maxDepth the most successive bounces, if the scene's format states it
+ * @param expectations what the picture must show, for those who verify it
  */
 public record Scene(
     String name,
@@ -28,17 +30,41 @@ public record Scene(
     List<Placement> placements,
     Highlight highlight,
     Transfer transfer,
-    OptionalInt maxDepth) {
+    OptionalInt maxDepth,
+    List<Expectation> expectations) {
 
   /** The most pixels of an image: their linear values fill one Java array. */
   public static final int MAX_PIXELS = (Integer.MAX_VALUE - 8) / 3;
 
-  /** Checks name and image size, and copies the lists. */
+  /** Checks name, image size and the pixels that are expected, and copies the lists. */
   public Scene {
     checkName(name);
     checkSize(width, height);
     lights = List.copyOf(lights);
     placements = List.copyOf(placements);
+    expectations = List.copyOf(expectations);
+    for (Expectation each : expectations) {
+      each.pixel().ifPresent(pixel -> checkPixel(pixel, width, height));
+    }
+  }
+
+  /**
+   * Checks that a pixel lies in an image.
+   *
+   * @throws BadValueException if it does not
+   */
+  private static void checkPixel(Expectation.Pixel pixel, int width, int height) {
+    if (pixel.x() < 0 || pixel.x() >= width || pixel.y() < 0 || pixel.y() >= height) {
+      throw new BadValueException(
+          "pixel",
+          String.format(
+              Locale.ROOT,
+              "must lie in the image, from [0, 0] to [%d, %d], but is [%d, %d]",
+              width - 1,
+              height - 1,
+              pixel.x(),
+              pixel.y()));
+    }
   }
 
   /**
@@ -89,6 +115,7 @@ public record Scene(
     private final String name;
     private final List<Light> lights = new ArrayList<>();
     private final List<Placement> placements = new ArrayList<>();
+    private final List<Expectation> expectations = new ArrayList<>();
     private String title = "";
     private int width = 640;
     private int height = 480;
@@ -140,6 +167,17 @@ public record Scene(
       return this;
     }
 
+    /**
+     * Adds something that the picture, whose size is set, must show.
+     *
+     * @throws BadValueException if it speaks of a pixel outside
+     */
+    public Builder expect(Expectation value) {
+      value.pixel().ifPresent(pixel -> checkPixel(pixel, width, height));
+      expectations.add(value);
+      return this;
+    }
+
     /** Sets the kind of highlights. */
     public Builder highlight(Highlight value) {
       highlight = value;
@@ -178,7 +216,8 @@ public record Scene(
           placements,
           highlight,
           transfer,
-          maxDepth);
+          maxDepth,
+          expectations);
     }
   }
 }

@@ -43,7 +43,8 @@ record FuzzScene(long seed, Scene scene, List<MeshNumbers> meshes, List<Segment>
             placements,
             scene.highlight(),
             scene.transfer(),
-            scene.maxDepth());
+            scene.maxDepth(),
+            scene.expectations());
     return new FuzzScene(seed, less, meshes, rays);
   }
 

@@ -23,12 +23,14 @@ import glint.optics.Material;
 import glint.optics.Medium;
 import glint.scene.Background;
 import glint.scene.Camera;
+import glint.scene.Expectation;
 import glint.scene.Orthographic;
 import glint.scene.Perspective;
 import glint.scene.Placement;
 import glint.scene.Projection;
 import glint.scene.Scene;
 import java.util.List;
+import java.util.Optional;
 import java.util.OptionalInt;
 import java.util.stream.Collectors;
 import org.junit.jupiter.api.Test;
@@ -96,6 +98,32 @@ class YamlScenesTest {
   void aCameraMayBeOrthographic() {
     assertEquals(
         new Camera(v(0, 0, 9), O, Y, new Orthographic(12.5), 0, 20), scenes.get(3).camera());
+  }
+
+  @Test
+  void expectations() {
+    Rgb value = new Rgb(0, 0.5, 2);
+    assertEquals(
+        List.of(
+            new Expectation(
+                Optional.of(new Expectation.Pixel(319, 199)),
+                value,
+                0.25,
+                0,
+                1,
+                OptionalInt.empty()),
+            new Expectation(
+                Optional.of(new Expectation.Pixel(0, 0)),
+                Rgb.WHITE,
+                0,
+                1e-12,
+                64,
+                OptionalInt.of(0)),
+            new Expectation(Optional.empty(), value, 0.25, 0.125, 16, OptionalInt.empty())),
+        scenes.get(3).expectations());
+    Expectation last = scenes.get(3).expectations().get(2);
+    assertEquals(0.25, last.allowed(0.5));
+    assertEquals(0.5, last.allowed(4));
   }
 
   @Test
