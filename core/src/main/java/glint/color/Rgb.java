@@ -48,8 +48,13 @@ public record Rgb(double r, double g, double b) {
    */
   public void requireLight(String field) {
     if (!(r >= 0 && g >= 0 && b >= 0 && max() < Double.POSITIVE_INFINITY)) {
-      throw new BadValueException(
-          field, "must not be negative, infinite or NaN, but is (" + r + ", " + g + ", " + b + ")");
+      throw new BadValueException(field, "must not be negative, infinite or NaN, but is " + this);
     }
+  }
+
+  /** Returns {@code "(r, g, b)"}. */
+  @Override
+  public String toString() {
+    return "(" + r + ", " + g + ", " + b + ")";
   }
 }

@@ -198,15 +198,15 @@ final class Cs315Reader {
     Vector3d first = line.vector(0);
     if (line.command().equals("Sphere")) {
       double radius = line.number(3);
-      line.checked(() -> place(new Sphere(first, radius)));
+      line.checked(() -> place(new Sphere(first, radius), line));
     } else {
       Vector3d second = line.vector(3);
       Vector3d third = line.vector(6);
-      line.checked(() -> place(new Triangle(first, second, third)));
+      line.checked(() -> place(new Triangle(first, second, third), line));
     }
   }
 
-  private void place(Surface surface) {
-    placements.add(new Placement(surface, matrix, material));
+  private void place(Surface surface, Cs315Line line) {
+    placements.add(new Placement(surface, matrix, material, "", line.line()));
   }
 }

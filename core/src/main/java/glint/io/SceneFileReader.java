@@ -12,16 +12,14 @@ import java.util.Map;
 final class SceneFileReader {
 
   private final Problems problems;
-  private final Problems notes;
   private final Values values;
   private final Models models;
   private final List<Scene> scenes = new ArrayList<>();
   private final List<String> broken = new ArrayList<>();
 
-  SceneFileReader(SceneFolder folder, String fileName, Problems problems) {
+  SceneFileReader(SceneFolder folder, Problems problems) {
     this.problems = problems;
-    notes = new Problems(fileName);
-    values = new Values(problems, notes);
+    values = new Values(problems);
     models = new Models(folder, values);
   }
 
@@ -32,9 +30,7 @@ final class SceneFileReader {
     }
     List<Problem> all = new ArrayList<>(problems.inFileOrder());
     all.addAll(models.problems());
-    List<Problem> remarks = new ArrayList<>(notes.inFileOrder());
-    remarks.addAll(models.notes());
-    return new SceneFile(scenes, broken, all, remarks);
+    return new SceneFile(scenes, broken, all, models.notes());
   }
 
   private void readFile(YamlNode root) {

@@ -48,7 +48,9 @@ final class SurfaceReader {
     Surface surface = shape(section, f);
     Material material = materials.of(f);
     Transform toWorld = transforms.read(f);
-    return f.build(() -> new Placement(surface, toWorld, material));
+    String name = f.get("material") instanceof Scalar named ? named.text() : "";
+    int line = entry.key().place().line();
+    return f.build(() -> new Placement(surface, toWorld, material, name, line));
   }
 
   private Surface shape(Section section, Fields f) {

@@ -17,6 +17,10 @@ public final class Illumination {
 
   private final Rgb ambient;
   private final byte[] kind;
+
+  /** A light's number in the scene. */
+  private final int[] number;
+
   private final Rgb[] color;
 
   /** A light's position, or for a directional light the unit vector towards it. */
@@ -31,24 +35,27 @@ public final class Illumination {
   /** Sums up the ambient lights and flattens the others; black ones are left out. */
   public Illumination(List<Light> lights) {
     Rgb sum = Rgb.BLACK;
-    List<Light> others = new ArrayList<>();
-    for (Light light : lights) {
+    List<Integer> others = new ArrayList<>();
+    for (int i = 0; i < lights.size(); i++) {
+      Light light = lights.get(i);
       if (light instanceof Light.Ambient) {
         sum = sum.plus(light.color());
       } else if (!light.color().isBlack()) {
-        others.add(light);
+        others.add(i);
       }
     }
     ambient = sum;
     int n = others.size();
     kind = new byte[n];
+    number = new int[n];
     color = new Rgb[n];
     where = new Vector3d[n];
     axis = new Vector3d[n];
     cosInner = new double[n];
     cosOuter = new double[n];
     for (int i = 0; i < n; i++) {
-      flatten(i, others.get(i));
+      number[i] = others.get(i);
+      flatten(i, lights.get(number[i]));
     }
   }
 
@@ -78,6 +85,11 @@ public final class Illumination {
   /** Returns the number of lights that come from somewhere. */
   public int count() {
     return kind.length;
+  }
+
+  /** Returns the number of a light in the scene, from 0. */
+  public int number(int i) {
+    return number[i];
   }
 
   /**

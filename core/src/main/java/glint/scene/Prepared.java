@@ -4,7 +4,6 @@ import glint.accel.Bvh;
 import glint.accel.Intersector;
 import glint.color.Rgb;
 import glint.geometry.Cylinder;
-import glint.geometry.Mesh;
 import glint.geometry.Primitives;
 import glint.geometry.Quad;
 import glint.geometry.Surface;
@@ -33,10 +32,6 @@ public final class Prepared {
   private final List<Medium> media = new ArrayList<>();
 
   private final int[] mediumOf;
-
-  /** For each transparent surface, whether it is a sheet. */
-  private final boolean[] open;
-
   private final Primitives primitives;
 
   /** The tree over the primitives, or null where the plan does without. */
@@ -53,10 +48,8 @@ public final class Prepared {
     this.plan = plan;
     materials = scene.placements().stream().map(Placement::material).toArray(Material[]::new);
     mediumOf = new int[materials.length];
-    open = new boolean[materials.length];
     for (int i = 0; i < materials.length; i++) {
       mediumOf[i] = mediumNumber(materials[i]);
-      open[i] = materials[i].isTransparent() && isSheet(scene.placements().get(i).surface());
     }
     tree = plan.tree().used() ? Bvh.over(primitives) : null;
     this.primitives = tree == null ? primitives : tree.primitives();
@@ -115,16 +108,12 @@ public final class Prepared {
     return mediumOf[surface];
   }
 
-  /** Returns whether a transparent surface is a sheet that encloses nothing by itself. */
+  /** Returns whether a surface is a sheet that encloses nothing by itself. */
   public boolean isOpen(int surface) {
-    return open[surface];
-  }
-
-  private static boolean isSheet(Surface shape) {
+    Surface shape = scene.placements().get(surface).surface();
     return shape instanceof Triangle
         || shape instanceof Quad
-        || (shape instanceof Cylinder c && !c.capped())
-        || (shape instanceof Mesh m && !m.isClosed());
+        || (shape instanceof Cylinder c && !c.capped());
   }
 
   /** Returns a medium by its number; outside it is vacuum. */

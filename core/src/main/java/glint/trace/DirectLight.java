@@ -12,6 +12,7 @@ import glint.optics.Material;
 import glint.optics.Medium;
 import glint.scene.Prepared;
 import glint.scene.RenderPlan;
+import glint.trace.RayTree.Fate;
 
 /** What a surface gives by itself: emission, ambient light, and the lights that reach it. */
 final class DirectLight {
@@ -27,6 +28,9 @@ final class DirectLight {
   private final Interior interior;
   private final Boundary boundary;
 
+  /** Is told of every light; null unless somebody asks. */
+  private final Recorder recorder;
+
   /** What was found by the last call of {@link #find}. */
   double r;
 
@@ -39,8 +43,9 @@ final class DirectLight {
   private double passG;
   private double passB;
 
-  DirectLight(Prepared scene, Intersector intersector, RayCounts counts) {
+  DirectLight(Prepared scene, Intersector intersector, RayCounts counts, Recorder recorder) {
     this.scene = scene;
+    this.recorder = recorder;
     this.plan = scene.plan();
     this.lights = scene.lights();
     this.intersector = intersector;
@@ -62,24 +67,50 @@ final class DirectLight {
     r = emission.r() + ambient.r() * everywhere.r();
     g = emission.g() + ambient.g() * everywhere.g();
     b = emission.b() + ambient.b() * everywhere.b();
-    Rgb diffuse = material.diffuse();
-    Rgb specular = material.specular();
-    boolean shiny = plan.highlights().used() && !specular.isBlack();
-    if (!plan.directLight().used() || (!shiny && diffuse.isBlack())) {
+    if (recorder != null) {
+      recorder.glows(r, g, b);
+    }
+    boolean dull = material.specular().isBlack() || !plan.highlights().used();
+    if (!plan.directLight().used() || (dull && material.diffuse().isBlack())) {
       return;
     }
     for (int i = 0; i < lights.count(); i++) {
-      if (!lights.at(i, hit, light)) {
-        continue;
-      }
-      double cos = hit.nx * light.lx + hit.ny * light.ly + hit.nz * light.lz;
-      if (!(cos > 0) || !reaches(i, hit, around)) {
-        continue;
-      }
-      double lobe = shiny ? highlight(hit, ray, cos, material.shininess()) : 0;
-      r += passR * (light.r * (diffuse.r() * cos + specular.r() * lobe));
-      g += passG * (light.g * (diffuse.g() * cos + specular.g() * lobe));
-      b += passB * (light.b * (diffuse.b() * cos + specular.b() * lobe));
+      answer(i, material, hit, ray, around);
+    }
+  }
+
+  /** Adds what the surface gives for one light. */
+  private void answer(int i, Material material, Hit hit, Ray ray, Interior around) {
+    if (!lights.at(i, hit, light)) {
+      tell(i, Fate.DARK, 0, 0, 0, 0);
+      return;
+    }
+    double cos = hit.nx * light.lx + hit.ny * light.ly + hit.nz * light.lz;
+    if (!(cos > 0)) {
+      tell(i, Fate.BEHIND, cos, 0, 0, 0);
+      return;
+    }
+    if (!reaches(i, hit, around)) {
+      tell(i, Fate.SHADOWED, cos, 0, 0, 0);
+      return;
+    }
+    Rgb diffuse = material.diffuse();
+    Rgb specular = material.specular();
+    boolean shiny = plan.highlights().used() && !specular.isBlack();
+    double lobe = shiny ? highlight(hit, ray, cos, material.shininess()) : 0;
+    double addR = passR * (light.r * (diffuse.r() * cos + specular.r() * lobe));
+    double addG = passG * (light.g * (diffuse.g() * cos + specular.g() * lobe));
+    double addB = passB * (light.b * (diffuse.b() * cos + specular.b() * lobe));
+    r += addR;
+    g += addG;
+    b += addB;
+    tell(i, Fate.LIT, cos, addR, addG, addB);
+  }
+
+  private void tell(int i, Fate fate, double cos, double addR, double addG, double addB) {
+    if (recorder != null) {
+      Rgb added = new Rgb(addR, addG, addB);
+      recorder.lights(lights.number(i), fate, light, cos, passing(), added);
     }
   }
 
@@ -94,7 +125,12 @@ final class DirectLight {
     counts.shadow++;
     double end = lights.shadowRay(i, hit, shadowRay);
     if (!plan.refraction().used()) {
-      return !intersector.any(shadowRay, end, blocker);
+      boolean blocked = intersector.any(shadowRay, end, blocker);
+      if (blocked && recorder != null) {
+        intersector.resolve(shadowRay, blocker);
+        recorder.crosses(blocker, blocker.surface, 0, Rgb.BLACK);
+      }
+      return !blocked;
     }
     interior.copy(around);
     return passes(end);
@@ -120,22 +156,33 @@ final class DirectLight {
       double cos = Math.abs(dx * blocker.nx + dy * blocker.ny + dz * blocker.nz) / length;
       boundary.meet(shadowRay, end, blocker, interior);
       if (boundary.opaque) {
+        if (recorder != null) {
+          recorder.crosses(blocker, boundary.surface, 0, Rgb.BLACK);
+        }
         return false;
       }
       if (boundary.visible) {
         absorb((t - from) * length);
         from = t;
         Rgb transparency = boundary.material().transparency();
-        double through = 1 - boundary.shadowReflectance(Math.min(cos, 1));
+        double reflected = boundary.shadowReflectance(Math.min(cos, 1));
+        double through = 1 - reflected;
         passR *= transparency.r() * through;
         passG *= transparency.g() * through;
         passB *= transparency.b() * through;
+        if (recorder != null) {
+          recorder.crosses(blocker, boundary.surface, reflected, passing());
+        }
       }
       interior.copy(boundary.beyond);
       if (!passes()) {
         return false;
       }
     }
+  }
+
+  private Rgb passing() {
+    return new Rgb(passR, passG, passB);
   }
 
   private boolean passes() {

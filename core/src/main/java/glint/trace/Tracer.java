@@ -10,6 +10,7 @@ import glint.optics.Medium;
 import glint.scene.Background;
 import glint.scene.Prepared;
 import glint.scene.RenderPlan;
+import glint.trace.RayTree.Reason;
 import java.util.ArrayList;
 import java.util.List;
 
@@ -32,6 +33,10 @@ public final class Tracer {
   private final Boundary boundary;
   private final DirectLight direct;
   private final StartMedia start;
+
+  /** Is told of every ray; null unless somebody asks. */
+  private final Recorder recorder;
+
   private final List<Frame> frames = new ArrayList<>();
 
   /** The radiance found by the last call of {@link #trace}, linear. */
@@ -43,14 +48,21 @@ public final class Tracer {
   /** A bound, in any channel, on the radiance that the last call of {@link #trace} left out. */
   public double cut;
 
+  /** Makes a tracer that tells nobody. */
+  public Tracer(Prepared scene, int maxDepth, double negligible) {
+    this(scene, maxDepth, negligible, null);
+  }
+
   /**
    * Makes a tracer of its own scratch.
    *
    * @param maxDepth the most successive bounces
    * @param negligible the radiance below which a bounce is not followed
+   * @param recorder is told of every ray, if not null
    */
-  public Tracer(Prepared scene, int maxDepth, double negligible) {
+  public Tracer(Prepared scene, int maxDepth, double negligible, Recorder recorder) {
     this.scene = scene;
+    this.recorder = recorder;
     this.plan = scene.plan();
     this.intersector = scene.intersector();
     this.maxDepth = maxDepth;
@@ -58,7 +70,7 @@ public final class Tracer {
     double bound = scene.radianceBound();
     this.least = negligible / (bound < Double.POSITIVE_INFINITY ? bound : 1);
     boundary = new Boundary(scene, intersector);
-    direct = new DirectLight(scene, intersector, counts);
+    direct = new DirectLight(scene, intersector, counts, recorder);
     start = new StartMedia(scene, intersector);
   }
 
@@ -106,25 +118,21 @@ public final class Tracer {
     return hit;
   }
 
-  /** Returns the last ray that the last call of {@link #trace} refracted most deeply. */
-  Ray deepest() {
-    return frames.get(Math.min(counts.maxDepth, frames.size() - 1)).ray;
-  }
-
   /** Follows a ray and then its mirror image, again and again; what is refracted goes deeper. */
   private void follow(int level, int bounces) {
     Frame f = frame(level);
     for (int depth = bounces; ; depth++) {
       counts.maxDepth = Math.max(counts.maxDepth, depth);
+      if (recorder != null) {
+        recorder.follows(f, level, depth, depth > bounces);
+      }
       if (!advance(f)) {
         addBackground(f);
         return;
       }
       Material material = scene.material(boundary.surface);
       direct.find(material, hit, f.ray, f.interior);
-      r += f.weightR * direct.r;
-      g += f.weightG * direct.g;
-      b += f.weightB * direct.b;
+      add(f, direct.r, direct.g, direct.b);
       if (boundary.opaque && !plan.mirrors().used()) {
         return;
       }
@@ -170,16 +178,26 @@ public final class Tracer {
       if (!plan.refraction().used()) {
         boundary.surface = hit.surface;
         boundary.opaque = true;
+        tellMeeting(f);
         return true;
       }
       f.interior.complete(hit);
       double t = hit.t;
       boundary.meet(f.ray, f.end, hit, f.interior);
+      tellMeeting(f);
       if (boundary.opaque || boundary.visible) {
         absorb(f, t);
         return true;
       }
       f.interior.copy(boundary.beyond);
+    }
+  }
+
+  private void tellMeeting(Frame f) {
+    if (recorder != null) {
+      Medium before = scene.medium(f.interior.current());
+      Medium beyond = scene.medium(boundary.beyond.current());
+      recorder.meets(f.ray, hit, boundary, before, beyond);
     }
   }
 
@@ -198,16 +216,26 @@ public final class Tracer {
     Background sky = scene.scene().background();
     Rgb up = sky.up();
     if (!plan.sky().used()) {
-      r += f.weightR * up.r();
-      g += f.weightG * up.g();
-      b += f.weightB * up.b();
+      add(f, up.r(), up.g(), up.b());
       return;
     }
     Rgb down = sky.down();
     double s = (1 + f.ray.dy) / 2;
-    r += f.weightR * (down.r() + s * (up.r() - down.r()));
-    g += f.weightG * (down.g() + s * (up.g() - down.g()));
-    b += f.weightB * (down.b() + s * (up.b() - down.b()));
+    add(
+        f,
+        down.r() + s * (up.r() - down.r()),
+        down.g() + s * (up.g() - down.g()),
+        down.b() + s * (up.b() - down.b()));
+  }
+
+  /** Adds what a ray sees at its end. */
+  private void add(Frame f, double seenR, double seenG, double seenB) {
+    r += f.weightR * seenR;
+    g += f.weightG * seenG;
+    b += f.weightB * seenB;
+    if (recorder != null) {
+      recorder.sees(f, seenR, seenG, seenB);
+    }
   }
 
   /** Returns whether a ray is worth following; if not, what it could bring is cut off. */
@@ -216,7 +244,13 @@ public final class Tracer {
     if (weight > least * f.gain && depth <= maxDepth) {
       return true;
     }
-    cut += weight > 0 ? weight * scene.radianceBound() : 0;
+    if (weight > 0) {
+      double missing = weight * scene.radianceBound();
+      cut += missing;
+      if (recorder != null) {
+        recorder.cuts(f, depth, depth > maxDepth ? Reason.DEPTH : Reason.CONTRIBUTION, missing);
+      }
+    }
     return false;
   }
 
@@ -245,6 +279,9 @@ public final class Tracer {
     cosIn = Math.min(Math.max(cosIn, 0), 1);
     double cosOut = Fresnel.cosOut(cosIn, eta);
     double share = Fresnel.reflectance(cosIn, cosOut, eta);
+    if (recorder != null) {
+      recorder.splits(share);
+    }
     if (share == 1) {
       return 1;
     }

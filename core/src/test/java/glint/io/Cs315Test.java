@@ -8,6 +8,7 @@ import static org.junit.jupiter.api.Assumptions.assumeTrue;
 import glint.color.Rgb;
 import glint.color.Transfer;
 import glint.geometry.Sphere;
+import glint.geometry.Surface;
 import glint.geometry.Triangle;
 import glint.light.Light;
 import glint.math.Transform;
@@ -120,10 +121,14 @@ class Cs315Test {
     Material second = new Material(Rgb.WHITE, Rgb.BLACK, Rgb.BLACK, 0, Rgb.BLACK, Rgb.BLACK);
     assertEquals(
         List.of(
-            Placement.of(new Sphere(v(1, 2, 3), 4), first),
-            Placement.of(new Triangle(v(1, 2, 3), v(4, 5, 6), v(7, 8, -9.5)), first),
-            Placement.of(new Sphere(Vector3d.ZERO, 1), second)),
+            placed(new Sphere(v(1, 2, 3), 4), first, 4),
+            placed(new Triangle(v(1, 2, 3), v(4, 5, 6), v(7, 8, -9.5)), first, 5),
+            placed(new Sphere(Vector3d.ZERO, 1), second, 7)),
         scene.placements());
+  }
+
+  private static Placement placed(Surface surface, Material material, int line) {
+    return new Placement(surface, Transform.IDENTITY, material, "", line);
   }
 
   @Test

@@ -5,6 +5,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import glint.color.Rgb;
 import glint.geometry.Plane;
+import glint.math.Transform;
 import glint.math.Vector3d;
 import glint.optics.Material;
 import glint.scene.Perspective;
@@ -41,15 +42,18 @@ class SceneFormatDocTest {
     assertEquals("A mirror ball on a gold floor", first.title());
     assertEquals(2, first.lights().size());
     assertEquals(
-        Placement.of(
+        new Placement(
             new Plane(Vector3d.ZERO, new Vector3d(0, 1, 0)),
+            Transform.IDENTITY,
             new Material(
                 new Rgb(0.5, 0.35, 0),
                 new Rgb(0.5, 0.35, 0),
                 Rgb.grey(0.4),
                 20,
                 Rgb.grey(0.1),
-                Rgb.BLACK)),
+                Rgb.BLACK),
+            "gold",
+            19),
         first.placements().get(1));
     Scene second = file.scenes().get(1);
     assertEquals("leaning-box", second.title());

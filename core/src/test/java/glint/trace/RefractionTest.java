@@ -262,13 +262,18 @@ class RefractionTest {
   void aBallLensFocusesWhereParaxialOpticsSays() {
     double n = 1.5;
     Scene.Builder lens = field().place(at(new Sphere(Vector3d.ZERO, 1), glass(n)));
-    Tracer tracer = new Tracer(Prepared.of(lens.build()), 2, 0x1p-40);
+    Recorder recorder = new Recorder();
+    Tracer tracer = new Tracer(Prepared.of(lens.build()), 2, 0x1p-40, recorder);
     double b = 1e-4;
     Ray ray = new Ray();
     ray.set(b, 0, 50, 0, 0, -1);
     tracer.trace(ray, Double.POSITIVE_INFINITY);
-    Ray out = tracer.deepest();
-    double focus = -(out.oz - out.dz / out.dx * out.ox);
+    RayTree inside = recorder.tree().children().get(0);
+    RayTree out = inside.children().get(0);
+    assertEquals(RayTree.Kind.REFRACTION, out.kind());
+    Vector3d o = out.origin();
+    Vector3d d = out.direction();
+    double focus = -(o.z() - d.z() / d.x() * o.x());
     assertEquals(n / (2 * (n - 1)), focus, 1e-6);
   }
 }

@@ -30,6 +30,7 @@ import picocli.CommandLine.UnmatchedArgumentException;
       PlanCommand.class,
       CheckCommand.class,
       CompareCommand.class,
+      ReplayCommand.class,
       VerifyCommand.class,
       HelpCommand.class,
       GenerateCompletion.class

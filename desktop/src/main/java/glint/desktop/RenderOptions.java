@@ -44,7 +44,7 @@ final class RenderOptions extends CommonOptions {
       paramLabel = "N",
       description = "Samples of every pixel; 1 is its centre (default: 16).")
   void samples(int n) {
-    samples = inRange("--samples", n, 1, RenderSettings.MAX_SAMPLES);
+    samples = Words.inRange(command, "--samples", n, 1, RenderSettings.MAX_SAMPLES);
   }
 
   @Option(

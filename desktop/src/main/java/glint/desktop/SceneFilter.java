@@ -7,7 +7,6 @@ import java.util.TreeSet;
 import java.util.function.Consumer;
 import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
-import picocli.CommandLine.ParameterException;
 import picocli.CommandLine.Spec;
 
 /** The choice of scenes. */
@@ -29,6 +28,12 @@ final class SceneFilter {
    * of the scene that could not be read, and is only one more failure.
    */
   List<Job> select(Inputs inputs, Consumer<Failed> failures) {
+    return select(command, names, inputs, failures);
+  }
+
+  /** Returns the scenes of these names, or all if there is none; see the other method. */
+  static List<Job> select(
+      CommandSpec command, List<String> names, Inputs inputs, Consumer<Failed> failures) {
     if (names.isEmpty()) {
       return inputs.jobs();
     }
@@ -38,8 +43,7 @@ final class SceneFilter {
       if (!known.contains(name)) {
         String line = "no scene is called '" + name + "'" + Suggestion.hint(name, known);
         if (inputs.problems().isEmpty()) {
-          throw new ParameterException(
-              command.commandLine(), line + "\nThe scenes are: " + String.join(", ", known));
+          throw Words.wrong(command, line + "\nThe scenes are: " + String.join(", ", known));
         }
         failures.accept(new Failed(name, line));
       }

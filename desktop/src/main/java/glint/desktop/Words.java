@@ -7,7 +7,7 @@ import java.util.Locale;
 import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.ParameterException;
 
-/** Reads the words of options. */
+/** Reads the words and numbers of options. */
 final class Words {
 
   private Words() {}
@@ -35,6 +35,23 @@ final class Words {
             + name
             + "'"
             + Suggestion.hint(name, known);
-    throw new ParameterException(command.commandLine(), message);
+    throw wrong(command, message);
+  }
+
+  /**
+   * Returns a number that is in its range.
+   *
+   * @throws ParameterException if it is not; the message says the range
+   */
+  static int inRange(CommandSpec command, String option, int n, int least, int most) {
+    if (n < least || n > most) {
+      throw wrong(command, option + " must be " + least + " to " + most + ", but is " + n);
+    }
+    return n;
+  }
+
+  /** Returns what says that a command is used wrongly. */
+  static ParameterException wrong(CommandSpec command, String message) {
+    return new ParameterException(command.commandLine(), message);
   }
 }
