@@ -48,6 +48,11 @@ public final class Mesh implements Surface {
     return corners.length / 3;
   }
 
+  /** Returns whether it closes a body: every edge is shared by faces that run along it opposite. */
+  public boolean isClosed() {
+    return MeshEdges.areClosed(points, corners);
+  }
+
   /** Returns the corners of the box around all points; none if there are none. */
   List<Vector3d> corners() {
     double[] least = new double[3];

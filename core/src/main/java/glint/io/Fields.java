@@ -168,6 +168,15 @@ final class Fields {
     return has(key) ? values.word(get(key), List.of(possible)) : possible[0];
   }
 
+  /** Notes why keys have no effect, those that are written. */
+  void noteIdle(String why, String... keys) {
+    for (String key : keys) {
+      if (has(key)) {
+        values.note(get(key), "'" + key + "' " + why);
+      }
+    }
+  }
+
   /**
    * Returns what the supplier makes of this map's values if they are all sound, else null.
    *

@@ -114,6 +114,9 @@ final class MaterialReader {
     Rgb reflection = f.light("reflection", Rgb.BLACK);
     Rgb emission = f.light("emission", Rgb.BLACK);
     Rgb transparency = f.light("transparency", Rgb.BLACK);
+    if (!f.has("transparency")) {
+      f.noteIdle("has no effect without 'transparency'", "ior", "absorption", "priority");
+    }
     Supplier<Medium> interior = interior(f);
     return f.build(
         () ->

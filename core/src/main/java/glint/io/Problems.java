@@ -51,6 +51,11 @@ final class Problems {
     }
   }
 
+  /** Returns whether another report is not one too many. */
+  boolean takesMore() {
+    return written < SOUGHT * most - 1;
+  }
+
   /** Counts a problem that was reported before and now concerns something else as well. */
   void repeat() {
     reports++;

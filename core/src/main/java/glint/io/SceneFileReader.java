@@ -12,14 +12,16 @@ import java.util.Map;
 final class SceneFileReader {
 
   private final Problems problems;
+  private final Problems notes;
   private final Values values;
   private final Models models;
   private final List<Scene> scenes = new ArrayList<>();
   private final List<String> broken = new ArrayList<>();
 
-  SceneFileReader(SceneFolder folder, Problems problems) {
+  SceneFileReader(SceneFolder folder, String fileName, Problems problems) {
     this.problems = problems;
-    values = new Values(problems);
+    notes = new Problems(fileName);
+    values = new Values(problems, notes);
     models = new Models(folder, values);
   }
 
@@ -30,7 +32,9 @@ final class SceneFileReader {
     }
     List<Problem> all = new ArrayList<>(problems.inFileOrder());
     all.addAll(models.problems());
-    return new SceneFile(scenes, broken, all, models.notes());
+    List<Problem> remarks = new ArrayList<>(notes.inFileOrder());
+    remarks.addAll(models.notes());
+    return new SceneFile(scenes, broken, all, remarks);
   }
 
   private void readFile(YamlNode root) {

@@ -42,7 +42,7 @@ public final class SceneFiles {
     }
     try {
       return yaml
-          ? new SceneFileReader(folder, problems).read(text)
+          ? new SceneFileReader(folder, fileName, problems).read(text)
           : new Cs315Reader(fileName, problems).read(text);
     } catch (Problems.TooMany e) {
       return nothing(problems);

@@ -24,9 +24,12 @@ final class Values {
   private static final Pattern HEX = Pattern.compile("#([0-9a-fA-F]{3}|[0-9a-fA-F]{6})");
 
   private final Problems problems;
+  private final Problems notes;
 
-  Values(Problems problems) {
+  /** Reports what is wrong, and what is merely worth knowing. */
+  Values(Problems problems, Problems notes) {
     this.problems = problems;
+    this.notes = notes;
   }
 
   Problems problems() {
@@ -35,6 +38,13 @@ final class Values {
 
   void report(YamlNode node, String message) {
     problems.report(node.place(), message);
+  }
+
+  /** Notes what does no harm, but is hardly meant. */
+  void note(YamlNode node, String message) {
+    if (notes.takesMore()) {
+      notes.report(node.place(), message);
+    }
   }
 
   /** Reports that a value is not what it should be. */

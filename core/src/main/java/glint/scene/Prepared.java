@@ -4,6 +4,7 @@ import glint.accel.Bvh;
 import glint.accel.Intersector;
 import glint.color.Rgb;
 import glint.geometry.Cylinder;
+import glint.geometry.Mesh;
 import glint.geometry.Primitives;
 import glint.geometry.Quad;
 import glint.geometry.Surface;
@@ -32,6 +33,10 @@ public final class Prepared {
   private final List<Medium> media = new ArrayList<>();
 
   private final int[] mediumOf;
+
+  /** For each transparent surface, whether it is a sheet. */
+  private final boolean[] open;
+
   private final Primitives primitives;
 
   /** The tree over the primitives, or null where the plan does without. */
@@ -48,8 +53,10 @@ public final class Prepared {
     this.plan = plan;
     materials = scene.placements().stream().map(Placement::material).toArray(Material[]::new);
     mediumOf = new int[materials.length];
+    open = new boolean[materials.length];
     for (int i = 0; i < materials.length; i++) {
       mediumOf[i] = mediumNumber(materials[i]);
+      open[i] = materials[i].isTransparent() && isSheet(scene.placements().get(i).surface());
     }
     tree = plan.tree().used() ? Bvh.over(primitives) : null;
     this.primitives = tree == null ? primitives : tree.primitives();
@@ -108,12 +115,16 @@ public final class Prepared {
     return mediumOf[surface];
   }
 
-  /** Returns whether a surface is a sheet that encloses nothing by itself. */
+  /** Returns whether a transparent surface is a sheet that encloses nothing by itself. */
   public boolean isOpen(int surface) {
-    Surface shape = scene.placements().get(surface).surface();
+    return open[surface];
+  }
+
+  private static boolean isSheet(Surface shape) {
     return shape instanceof Triangle
         || shape instanceof Quad
-        || (shape instanceof Cylinder c && !c.capped());
+        || (shape instanceof Cylinder c && !c.capped())
+        || (shape instanceof Mesh m && !m.isClosed());
   }
 
   /** Returns a medium by its number; outside it is vacuum. */

@@ -4,7 +4,6 @@ import glint.geometry.Primitives;
 import glint.light.Illumination;
 import glint.optics.Highlight;
 import java.util.List;
-import java.util.OptionalInt;
 import java.util.function.Predicate;
 
 /**
@@ -105,9 +104,6 @@ public record RenderPlan(
 
   private static Decision mirrors(Scene scene) {
     String feature = "mirror rays";
-    if (scene.maxDepth().equals(OptionalInt.of(0))) {
-      return new Decision(feature, false, "the scene allows no bounce");
-    }
     int mirrors = count(scene, p -> !p.material().reflection().isBlack());
     if (mirrors == 0) {
       return new Decision(feature, false, "no material reflects");

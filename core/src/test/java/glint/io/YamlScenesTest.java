@@ -55,6 +55,41 @@ class YamlScenesTest {
   }
 
   @Test
+  void whatHasNoEffectIsNotedWhereItStands() {
+    String text =
+        "materials:\n"
+            + "  forgotten: {diffuse: 1, ior: 1.5, absorption: 2}\n"
+            + "  off: {transparency: 0, ior: 1.5}\n"
+            + "scenes:\n"
+            + "  s:\n"
+            + "    camera: {position: [0, 0, 5], look_at: [0, 0, 0], fov: 40}\n"
+            + "    surfaces:\n"
+            + "      - sphere: {center: [0, 0, 0], radius: 1, material: forgotten}\n"
+            + "      - sphere: {center: [0, 0, 0], radius: 1, material: {priority: 1}}\n";
+    SceneFile file = Resources.read(text, "f.yaml");
+    assertEquals(List.of(), file.problems());
+    assertEquals(1, file.scenes().size());
+    assertEquals(
+        List.of(
+            "f.yaml:2:32: 'ior' has no effect without 'transparency'",
+            "f.yaml:2:49: 'absorption' has no effect without 'transparency'",
+            "f.yaml:9:69: 'priority' has no effect without 'transparency'"),
+        file.notes().stream().map(Problem::toString).collect(Collectors.toList()));
+  }
+
+  @Test
+  void manyNotesDoNotEndTheReading() {
+    StringBuilder text = new StringBuilder("materials:\n");
+    for (int i = 0; i < 20_000; i++) {
+      text.append("  m").append(i).append(": {ior: 2}\n");
+    }
+    text.append("scenes:\n  s: {camera: {position: [0, 0, 5], look_at: [0, 0, 0], fov: 40}}\n");
+    SceneFile file = Resources.read(text.toString(), "f.yaml");
+    assertEquals(1, file.scenes().size());
+    assertEquals(101, file.notes().size());
+  }
+
+  @Test
   void scenesComeInFileOrder() {
     assertEquals(
         List.of("lights and materials", "surfaces", "transforms", "orthographic"),

@@ -260,6 +260,21 @@ class RendererTest {
   }
 
   @Test
+  void theUsersDepthOverrulesTheScenes() {
+    Prepared scene = Prepared.of(new World(1, false).scene().maxDepth(0).build());
+    RenderSettings own =
+        new RenderSettings(WIDTH, HEIGHT, 1, 0, OptionalInt.empty(), 1, 32, Set.of());
+    RenderSettings two =
+        new RenderSettings(WIDTH, HEIGHT, 1, 0, OptionalInt.of(2), 1, 32, Set.of());
+    Statistics stated = render(scene, own).statistics();
+    assertEquals(0, stated.rays().reflection);
+    assertTrue(stated.truncation() > 0, "the light of mirrors is missing");
+    Statistics overruled = render(scene, two).statistics();
+    assertEquals(2, overruled.rays().maxDepth);
+    assertTrue(overruled.truncation() < stated.truncation());
+  }
+
+  @Test
   void cancellingStopsSoonAndSaysSo() {
     Scene scene = new World(1, false).scene().build();
     RenderSettings heavy =

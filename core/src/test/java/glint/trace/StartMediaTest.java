@@ -2,6 +2,7 @@ package glint.trace;
 
 import static org.junit.jupiter.api.Assertions.assertArrayEquals;
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import glint.color.Rgb;
 import glint.geometry.Box;
@@ -21,6 +22,7 @@ import glint.scene.Prepared;
 import glint.scene.Projection;
 import glint.scene.Scene;
 import glint.scene.View;
+import java.util.Arrays;
 import org.junit.jupiter.api.Test;
 
 /** Which media a camera ray is in when it starts: relative error 1e-12. */
@@ -45,10 +47,15 @@ class StartMediaTest {
 
   /** The octahedron with corners at distance 1 on the axes. */
   private static Mesh octahedron() {
-    double[] corners = {1, 0, 0, 0, 1, 0, -1, 0, 0, 0, -1, 0, 0, 0, 1, 0, 0, -1};
-    int[] faces = {0, 1, 4, 1, 2, 4, 2, 3, 4, 3, 0, 4, 1, 0, 5, 2, 1, 5, 3, 2, 5, 0, 3, 5};
-    return new Mesh(corners, faces);
+    return new Mesh(OCTAHEDRON, OCTAHEDRON_FACES);
   }
+
+  private static final double[] OCTAHEDRON = {
+    1, 0, 0, 0, 1, 0, -1, 0, 0, 0, -1, 0, 0, 0, 1, 0, 0, -1
+  };
+  private static final int[] OCTAHEDRON_FACES = {
+    0, 1, 4, 1, 2, 4, 2, 3, 4, 3, 0, 4, 1, 0, 5, 2, 1, 5, 3, 2, 5, 0, 3, 5
+  };
 
   /** Returns what a pixel's centre sees along -z in a white field. */
   private static double seen(Camera camera, int size, int x, int y, Placement... placements) {
@@ -134,6 +141,30 @@ class StartMediaTest {
     }
     assertFaded(1, seen(at(v(0, 0, 0), NARROW, 0), 1, 0, 0, stone));
     assertFaded(0.75, seen(at(v(0.25, 0, 0), NARROW, 0), 1, 0, 0, stone));
+  }
+
+  @Test
+  void aMeshWithAnOpenEdgeIsASheet() {
+    Mesh open = new Mesh(OCTAHEDRON, Arrays.copyOfRange(OCTAHEDRON_FACES, 3, 24));
+    Placement[] closed = {smoke(octahedron())};
+    Placement[] sheet = {smoke(open)};
+    // What is missing is the face of x, y, z > 0; the eye is in the middle, or comes in by there.
+    assertFaded(1, seenIn(closed));
+    assertFaded(1, seenIn(sheet));
+    Prepared around = Prepared.of(scene(sheet));
+    assertEquals(0, around.mediaAtEye().length);
+    assertTrue(around.isOpen(0));
+    assertEquals(1, Prepared.of(scene(closed)).mediaAtEye().length);
+    assertFaded(1.4, seen(at(v(0.125, 0.175, 5), NARROW, 0), 1, 0, 0, closed));
+    assertFaded(0.7, seen(at(v(0.125, 0.175, 0), NARROW, 0), 1, 0, 0, sheet));
+  }
+
+  private static Scene scene(Placement... placements) {
+    Scene.Builder scene = new Scene.Builder("eye").camera(at(Vector3d.ZERO, NARROW, 0));
+    for (Placement placement : placements) {
+      scene.place(placement);
+    }
+    return scene.build();
   }
 
   @Test
