@@ -132,9 +132,11 @@ public final class Renderer {
   private Statistics statistics(List<Worker> workers, double seconds) {
     RayCounts counts = new RayCounts();
     long invalid = 0;
+    int invalidPixel = Integer.MAX_VALUE;
     for (Worker worker : workers) {
       counts.add(worker.counts());
       invalid += worker.invalid();
+      invalidPixel = Math.min(invalidPixel, worker.invalidPixel());
     }
     int samples = settings.samples();
     return new Statistics(
@@ -145,6 +147,7 @@ public final class Renderer {
         scene.primitiveCount(),
         scene.geometryBytes(),
         invalid,
+        invalidPixel,
         ImageFacts.clipped(image),
         ImageFacts.truncation(image, cut, scene.scene().transfer()),
         seconds,

@@ -12,6 +12,7 @@ import glint.trace.RayCounts;
  * @param primitives how many things a ray can hit
  * @param geometryBytes what the primitives and the tree take in memory
  * @param invalid samples that were NaN or infinite; they are left out of their pixel's mean
+ * @param invalidPixel the number, in row order, of the first pixel that has such a sample, if any
  * @param clipped pixels with a channel above display white
  * @param truncation a bound on the image's RMS error by bounces not followed, in display levels
  * @param renderSeconds wall time of tracing alone
@@ -25,6 +26,7 @@ public record Statistics(
     int primitives,
     long geometryBytes,
     long invalid,
+    int invalidPixel,
     long clipped,
     double truncation,
     double renderSeconds,

@@ -22,6 +22,7 @@ final class Worker {
   private final PixelSampler samples;
   private final Ray ray = new Ray();
   private long invalid;
+  private int invalidPixel = Integer.MAX_VALUE;
   private long reported;
 
   Worker(
@@ -55,6 +56,11 @@ final class Worker {
     return invalid;
   }
 
+  /** Returns the number, in row order, of the first pixel with an invalid sample, if any. */
+  int invalidPixel() {
+    return invalidPixel;
+  }
+
   /**
    * Stores the mean of a pixel's samples, and what its centre sees first if that is asked for;
    * leaves it as it is when the render is cancelled.
@@ -67,6 +73,7 @@ final class Worker {
       }
       if (!samples.add(i)) {
         invalid++;
+        invalidPixel = Math.min(invalidPixel, y * settings.width() + x);
       }
     }
     if (samples.valid() > 0) {

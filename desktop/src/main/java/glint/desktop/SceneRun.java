@@ -7,6 +7,7 @@ import glint.render.RenderResult;
 import glint.render.RenderSettings;
 import glint.render.Renderer;
 import glint.scene.Prepared;
+import glint.scene.Scene;
 import java.io.BufferedOutputStream;
 import java.io.IOException;
 import java.io.OutputStream;
@@ -64,6 +65,13 @@ final class SceneRun {
     write(result, stats);
     stats = stats(result, build, secondsSince(began));
     reporter.finished(stats, settings.samples(), files);
+    if (result.statistics().invalid() > 0) {
+      int pixel = result.statistics().invalidPixel();
+      int column = pixel % settings.width();
+      int row = pixel / settings.width();
+      Scene scene = job.scene();
+      reporter.note("see one: " + ReplayLine.of(job.file(), scene, settings, column, row));
+    }
     return stats;
   }
 

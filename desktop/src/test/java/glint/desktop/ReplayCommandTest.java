@@ -67,6 +67,32 @@ class ReplayCommandTest {
     assertTrue(tour.contains(command + block), command + block);
   }
 
+  @Test
+  void aRenderWithInvalidSamplesSaysHowToSeeOne() throws IOException {
+    Path file = dir.resolve("it's bright.yaml");
+    Files.writeString(
+        file,
+        """
+        scenes:
+          two suns:
+            image: {width: 8, height: 6}
+            camera: {position: [0, 0, 0], look_at: [0, 1, -9], fov: 40}
+            surfaces:
+              - plane: {point: [0, -1, 0], normal: [0, 1, 0], material: {emission: 1e308, reflection: 1}}
+              - plane: {point: [0, 1, 0], normal: [0, 1, 0], material: {emission: 1e308, reflection: 1}}
+        """);
+    Run render = Run.of("render", file, "--out", dir, "--samples", "3", "--depth", "3");
+    assertEquals(0, render.exitCode(), render.err());
+    String quoted = "'" + file.toString().replace("'", "'\\''") + "'";
+    String line =
+        "see one: glint replay " + quoted + " --scene 'two suns' --pixel 0,0 --samples 3 --depth 3";
+    assertTrue(render.errLines().contains(line), render.err());
+    Run replay = Run.of("replay", file, "--pixel", "0,0", "--samples", "3", "--depth", "3");
+    assertTrue(replay.out().contains("3 samples not finite and left out"), replay.out());
+    Path good = Scenes.write(dir.resolve("good.yaml"), "one");
+    assertFalse(Run.of("render", good, "--out", dir).err().contains("replay"));
+  }
+
   private static Run run(Object[] options, Object... words) {
     Object[] all = java.util.Arrays.copyOf(words, words.length + options.length);
     System.arraycopy(options, 0, all, words.length, options.length);
