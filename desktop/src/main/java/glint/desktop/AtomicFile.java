@@ -2,6 +2,7 @@ package glint.desktop;
 
 import java.io.IOException;
 import java.nio.file.Files;
+import java.nio.file.LinkOption;
 import java.nio.file.Path;
 import java.nio.file.StandardCopyOption;
 import java.util.Set;
@@ -24,12 +25,14 @@ final class AtomicFile {
   /**
    * Writes a hidden temporary file beside the target and then renames it.
    *
-   * <p>A target that is no ordinary file, such as {@code /dev/stdout}, is written as it stands.
+   * <p>A target that is no ordinary file, such as {@code /dev/stdout}, is written as it stands, and
+   * so is what a link leads to: a rename would put the file in the link's place.
    *
    * @throws IOException if that fails; the target is then as it was before
    */
   static void write(Path target, Content content) throws IOException {
-    if (Files.exists(target) && !Files.isRegularFile(target) && !Files.isDirectory(target)) {
+    boolean ordinary = Files.isRegularFile(target, LinkOption.NOFOLLOW_LINKS);
+    if (Files.exists(target) && !ordinary && !Files.isDirectory(target)) {
       content.writeTo(target);
       return;
     }

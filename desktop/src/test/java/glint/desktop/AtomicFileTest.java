@@ -49,6 +49,15 @@ class AtomicFileTest {
   }
 
   @Test
+  void aLinkIsFollowedAndStays() throws IOException {
+    Path file = Files.writeString(dir.resolve("elsewhere"), "old");
+    Path link = Files.createSymbolicLink(dir.resolve("link"), file);
+    AtomicFile.write(link, path -> Files.writeString(path, "new"));
+    assertTrue(Files.isSymbolicLink(link));
+    assertEquals("new", Files.readString(file));
+  }
+
+  @Test
   void whatIsUnfinishedCanBeSweptAway() throws IOException {
     Path target = dir.resolve("image.png");
     assertThrows(
