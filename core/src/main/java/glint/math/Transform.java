@@ -1,29 +1,75 @@
 package glint.math;
 
+import java.util.Arrays;
+
 /**
  * An affine map of space with its inverse; immutable.
  *
- * <p>Holds both as rows of a 3×4 matrix: {@code p' = M p + translation}.
+ * <p>{@code p' = M p + T}; holds the 3×3 matrices M and M⁻¹ and the image T of the origin. The way
+ * back is {@code M⁻¹ (p' - T)}: near T, wherever that is, it loses nothing.
  */
 public final class Transform {
 
+  /** How many numbers {@link #copyTo} writes. */
+  public static final int NUMBERS = 21;
+
   /** The map that leaves everything where it is. */
-  public static final Transform IDENTITY =
-      new Transform(
-          new double[] {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0},
-          new double[] {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0});
+  public static final Transform IDENTITY = translate(Vector3d.ZERO);
 
-  private final double[] forward;
-  private final double[] inverse;
+  // The rows of M. Fields, because scenes hold many transforms, and arrays would double their size.
+  private final double xx;
+  private final double xy;
+  private final double xz;
+  private final double yx;
+  private final double yy;
+  private final double yz;
+  private final double zx;
+  private final double zy;
+  private final double zz;
 
-  private Transform(double[] forward, double[] inverse) {
-    this.forward = forward;
-    this.inverse = inverse;
+  // The rows of M⁻¹.
+  private final double backXx;
+  private final double backXy;
+  private final double backXz;
+  private final double backYx;
+  private final double backYy;
+  private final double backYz;
+  private final double backZx;
+  private final double backZy;
+  private final double backZz;
+
+  private final double tx;
+  private final double ty;
+  private final double tz;
+
+  /** Takes the nine numbers of M and of M⁻¹, row by row. */
+  private Transform(double[] m, double[] back, double x, double y, double z) {
+    xx = m[0];
+    xy = m[1];
+    xz = m[2];
+    yx = m[3];
+    yy = m[4];
+    yz = m[5];
+    zx = m[6];
+    zy = m[7];
+    zz = m[8];
+    backXx = back[0];
+    backXy = back[1];
+    backXz = back[2];
+    backYx = back[3];
+    backYy = back[4];
+    backYz = back[5];
+    backZx = back[6];
+    backZy = back[7];
+    backZz = back[8];
+    tx = x;
+    ty = y;
+    tz = z;
   }
 
   /** Returns the move by {@code offset}. */
   public static Transform translate(Vector3d offset) {
-    return diagonal(1, 1, 1, offset);
+    return new Transform(diagonal(1, 1, 1), diagonal(1, 1, 1), offset.x(), offset.y(), offset.z());
   }
 
   /**
@@ -35,7 +81,12 @@ public final class Transform {
     requireInvertible(factors.x());
     requireInvertible(factors.y());
     requireInvertible(factors.z());
-    return diagonal(factors.x(), factors.y(), factors.z(), Vector3d.ZERO);
+    return new Transform(
+        diagonal(factors.x(), factors.y(), factors.z()),
+        diagonal(1 / factors.x(), 1 / factors.y(), 1 / factors.z()),
+        0,
+        0,
+        0);
   }
 
   /** Returns the rotation about the origin by a quaternion (Shoemake 1985). */
@@ -48,22 +99,15 @@ public final class Transform {
       1 - 2 * (y * y + z * z),
       2 * (x * y - w * z),
       2 * (x * z + w * y),
-      0,
       2 * (x * y + w * z),
       1 - 2 * (x * x + z * z),
       2 * (y * z - w * x),
-      0,
       2 * (x * z - w * y),
       2 * (y * z + w * x),
-      1 - 2 * (x * x + y * y),
-      0
+      1 - 2 * (x * x + y * y)
     };
-    double[] transposed = {
-      m[0], m[4], m[8], 0,
-      m[1], m[5], m[9], 0,
-      m[2], m[6], m[10], 0
-    };
-    return new Transform(m, transposed);
+    double[] transposed = {m[0], m[3], m[6], m[1], m[4], m[7], m[2], m[5], m[8]};
+    return new Transform(m, transposed, 0, 0, 0);
   }
 
   /**
@@ -76,39 +120,42 @@ public final class Transform {
     if (rows.length != 12) {
       throw new IllegalArgumentException("a matrix has 12 numbers, not " + rows.length);
     }
-    double[] m = rows.clone();
-    double[] inverse = new double[12];
-    // Divide the matrix by a power of two before the cofactors, so that no product overflows.
+    double[] m = new double[9];
     double largest = 0;
     for (int i = 0; i < 12; i++) {
-      if (!Double.isFinite(m[i])) {
-        throw new ArithmeticException("a matrix must hold finite numbers, but has " + m[i]);
+      if (!Double.isFinite(rows[i])) {
+        throw new ArithmeticException("a matrix must hold finite numbers, but has " + rows[i]);
       }
-      largest = i % 4 == 3 ? largest : Math.max(largest, Math.abs(m[i]));
+      if (i % 4 != 3) {
+        m[i / 4 * 3 + i % 4] = rows[i];
+        largest = Math.max(largest, Math.abs(rows[i]));
+      }
     }
+    return new Transform(m, inverse(m, largest), rows[3], rows[7], rows[11]);
+  }
+
+  private static double[] inverse(double[] m, double largest) {
+    // Divide the matrix by a power of two before the cofactors, so that no product overflows.
     int exponent = largest > 0 ? Math.getExponent(largest) : 0;
-    double[] s = new double[12];
-    for (int i = 0; i < 12; i++) {
+    double[] s = new double[9];
+    for (int i = 0; i < 9; i++) {
       s[i] = Math.scalb(m[i], -exponent);
     }
     double det = 0;
     for (int column = 0; column < 3; column++) {
       det += s[column] * cofactor(s, 0, column);
     }
+    double[] inverse = new double[9];
     for (int row = 0; row < 3; row++) {
       for (int column = 0; column < 3; column++) {
-        inverse[4 * row + column] = Math.scalb(cofactor(s, column, row) / det, -exponent);
+        double v = Math.scalb(cofactor(s, column, row) / det, -exponent);
+        if (!Double.isFinite(v)) {
+          throw new ArithmeticException("the matrix is singular: it flattens space");
+        }
+        inverse[3 * row + column] = v;
       }
     }
-    for (int row = 0; row < 3; row++) {
-      inverse[4 * row + 3] = -dotRow(inverse, row, m[3], m[7], m[11]);
-    }
-    for (double v : inverse) {
-      if (!Double.isFinite(v)) {
-        throw new ArithmeticException("the matrix is singular: it flattens space");
-      }
-    }
-    return new Transform(m, inverse);
+    return inverse;
   }
 
   /**
@@ -117,53 +164,90 @@ public final class Transform {
    * @throws ArithmeticException if its numbers, or those of its inverse, are not finite
    */
   public Transform then(Transform next) {
-    double[] m = product(next.forward, forward);
-    double[] back = product(inverse, next.inverse);
-    for (int i = 0; i < 12; i++) {
-      if (!(Double.isFinite(m[i]) && Double.isFinite(back[i]))) {
+    Vector3d origin = next.point(new Vector3d(tx, ty, tz));
+    Transform both =
+        new Transform(
+            product(next.linear(), linear()),
+            product(back(), next.back()),
+            origin.x(),
+            origin.y(),
+            origin.z());
+    double[] numbers = new double[NUMBERS];
+    both.copyTo(numbers);
+    for (double v : numbers) {
+      if (!Double.isFinite(v)) {
         throw new ArithmeticException("the transforms up to here leave the range of numbers");
       }
     }
-    return new Transform(m, back);
+    return both;
   }
 
   /** Returns the inverse map. */
   public Transform inverted() {
-    return new Transform(inverse, forward);
+    double[] back = back();
+    return new Transform(
+        back,
+        linear(),
+        -dotRow(back, 0, tx, ty, tz),
+        -dotRow(back, 1, tx, ty, tz),
+        -dotRow(back, 2, tx, ty, tz));
   }
 
   /** Returns the image of a point. */
   public Vector3d point(Vector3d p) {
-    return new Vector3d(
-        dotRow(forward, 0, p.x(), p.y(), p.z()) + forward[3],
-        dotRow(forward, 1, p.x(), p.y(), p.z()) + forward[7],
-        dotRow(forward, 2, p.x(), p.y(), p.z()) + forward[11]);
+    Vector3d moved = direction(p);
+    return new Vector3d(moved.x() + tx, moved.y() + ty, moved.z() + tz);
   }
 
   /** Returns the image of a direction: the translation does not apply. */
   public Vector3d direction(Vector3d d) {
     return new Vector3d(
-        dotRow(forward, 0, d.x(), d.y(), d.z()),
-        dotRow(forward, 1, d.x(), d.y(), d.z()),
-        dotRow(forward, 2, d.x(), d.y(), d.z()));
+        xx * d.x() + xy * d.y() + xz * d.z(),
+        yx * d.x() + yy * d.y() + yz * d.z(),
+        zx * d.x() + zy * d.y() + zz * d.z());
   }
 
   /** Returns the image of a surface normal, by the inverse transpose; not of unit length. */
   public Vector3d normal(Vector3d n) {
     return new Vector3d(
-        inverse[0] * n.x() + inverse[4] * n.y() + inverse[8] * n.z(),
-        inverse[1] * n.x() + inverse[5] * n.y() + inverse[9] * n.z(),
-        inverse[2] * n.x() + inverse[6] * n.y() + inverse[10] * n.z());
+        backXx * n.x() + backYx * n.y() + backZx * n.z(),
+        backXy * n.x() + backYy * n.y() + backZy * n.z(),
+        backXz * n.x() + backYz * n.y() + backZz * n.z());
   }
 
-  /** Returns a copy of the twelve numbers of the forward matrix, row by row. */
+  /** Returns the twelve numbers of the 3×4 matrix, row by row, T in every fourth place. */
   public double[] rows() {
-    return forward.clone();
+    return new double[] {xx, xy, xz, tx, yx, yy, yz, ty, zx, zy, zz, tz};
+  }
+
+  /** Writes the rows of M⁻¹, those of M, and T to an array; makes nothing. */
+  public void copyTo(double[] numbers) {
+    numbers[0] = backXx;
+    numbers[1] = backXy;
+    numbers[2] = backXz;
+    numbers[3] = backYx;
+    numbers[4] = backYy;
+    numbers[5] = backYz;
+    numbers[6] = backZx;
+    numbers[7] = backZy;
+    numbers[8] = backZz;
+    numbers[9] = xx;
+    numbers[10] = xy;
+    numbers[11] = xz;
+    numbers[12] = yx;
+    numbers[13] = yy;
+    numbers[14] = yz;
+    numbers[15] = zx;
+    numbers[16] = zy;
+    numbers[17] = zz;
+    numbers[18] = tx;
+    numbers[19] = ty;
+    numbers[20] = tz;
   }
 
   /** Returns whether this is exactly the identity. */
   public boolean isIdentity() {
-    return java.util.Arrays.equals(forward, IDENTITY.forward);
+    return Arrays.equals(rows(), IDENTITY.rows());
   }
 
   /**
@@ -191,11 +275,9 @@ public final class Transform {
     return Math.scalb(first, exponent);
   }
 
-  /**
-   * Returns the largest absolute number of the 3x3 part: no length grows by more than thrice it.
-   */
+  /** Returns the largest absolute number of M: no length grows by more than thrice it. */
   public double largest() {
-    return Math.max(column(0).maxAbs(), Math.max(column(1).maxAbs(), column(2).maxAbs()));
+    return largest(linear());
   }
 
   /** Returns whether this map turns a right hand into a left one. */
@@ -209,12 +291,14 @@ public final class Transform {
    * component by component: the largest row sum of |M||M⁻¹|, at least 1.
    */
   public double conditioning() {
+    double[] m = linear();
+    double[] back = back();
     double largest = 1;
     for (int row = 0; row < 3; row++) {
       double sum = 0;
       for (int i = 0; i < 3; i++) {
         for (int column = 0; column < 3; column++) {
-          sum += Math.abs(forward[4 * row + i] * inverse[4 * i + column]);
+          sum += Math.abs(m[3 * row + i] * back[3 * i + column]);
         }
       }
       largest = Math.max(largest, sum);
@@ -228,29 +312,41 @@ public final class Transform {
    * least stretch.
    */
   public double flattening() {
-    return norm(forward) * norm(inverse);
+    return norm(linear()) * norm(back());
   }
 
   private static double norm(double[] m) {
-    double largest = 0;
-    for (int i = 0; i < 12; i++) {
-      largest = i % 4 == 3 ? largest : Math.max(largest, Math.abs(m[i]));
-    }
+    double largest = largest(m);
     double sum = 0;
-    for (int i = 0; i < 12; i++) {
-      sum += i % 4 == 3 ? 0 : (m[i] / largest) * (m[i] / largest);
+    for (double v : m) {
+      sum += (v / largest) * (v / largest);
     }
     return largest * Math.sqrt(sum);
   }
 
-  private Vector3d column(int i) {
-    return new Vector3d(forward[i], forward[4 + i], forward[8 + i]);
+  private static double largest(double[] m) {
+    double largest = 0;
+    for (double v : m) {
+      largest = Math.max(largest, Math.abs(v));
+    }
+    return largest;
   }
 
-  private static Transform diagonal(double x, double y, double z, Vector3d t) {
-    return new Transform(
-        new double[] {x, 0, 0, t.x(), 0, y, 0, t.y(), 0, 0, z, t.z()},
-        new double[] {1 / x, 0, 0, -t.x() / x, 0, 1 / y, 0, -t.y() / y, 0, 0, 1 / z, -t.z() / z});
+  private double[] linear() {
+    return new double[] {xx, xy, xz, yx, yy, yz, zx, zy, zz};
+  }
+
+  private double[] back() {
+    return new double[] {backXx, backXy, backXz, backYx, backYy, backYz, backZx, backZy, backZz};
+  }
+
+  private Vector3d column(int i) {
+    double[] m = linear();
+    return new Vector3d(m[i], m[3 + i], m[6 + i]);
+  }
+
+  private static double[] diagonal(double x, double y, double z) {
+    return new double[] {x, 0, 0, 0, y, 0, 0, 0, z};
   }
 
   private static void requireInvertible(double factor) {
@@ -260,24 +356,23 @@ public final class Transform {
   }
 
   private static double[] product(double[] a, double[] b) {
-    double[] c = new double[12];
+    double[] c = new double[9];
     for (int row = 0; row < 3; row++) {
-      for (int column = 0; column < 4; column++) {
-        c[4 * row + column] = dotRow(a, row, b[column], b[4 + column], b[8 + column]);
+      for (int column = 0; column < 3; column++) {
+        c[3 * row + column] = dotRow(a, row, b[column], b[3 + column], b[6 + column]);
       }
-      c[4 * row + 3] += a[4 * row + 3];
     }
     return c;
   }
 
   private static double dotRow(double[] m, int row, double x, double y, double z) {
-    return m[4 * row] * x + m[4 * row + 1] * y + m[4 * row + 2] * z;
+    return m[3 * row] * x + m[3 * row + 1] * y + m[3 * row + 2] * z;
   }
 
   /** The signed 2×2 minor of an element, indices taken cyclically. */
   private static double cofactor(double[] m, int row, int column) {
-    int r1 = 4 * ((row + 1) % 3);
-    int r2 = 4 * ((row + 2) % 3);
+    int r1 = 3 * ((row + 1) % 3);
+    int r2 = 3 * ((row + 2) % 3);
     int c1 = (column + 1) % 3;
     int c2 = (column + 2) % 3;
     return m[r1 + c1] * m[r2 + c2] - m[r1 + c2] * m[r2 + c1];
