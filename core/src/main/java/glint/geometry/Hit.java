@@ -1,5 +1,8 @@
 package glint.geometry;
 
+import glint.math.Rounding;
+import glint.math.Transform;
+
 /**
  * Where a ray meets a surface; scratch, owned by one worker.
  *
@@ -48,11 +51,32 @@ public final class Hit {
   public double ny;
   public double nz;
 
+  /**
+   * The unit normal that light sees, once {@link #face} was called: of a smooth mesh that of the
+   * curved surface that its triangles stand for, else the normal.
+   */
+  public double sx;
+
+  public double sy;
+  public double sz;
+
+  /** From the point to the curved surface that it stands for. */
+  double liftX;
+
+  double liftY;
+  double liftZ;
+
+  /** Whether {@link #face} turned the normal over (-1) or left it (1). */
+  int side;
+
   /** The number of the surface, in scene order. */
   public int surface;
 
   /** How far along the normal a point is certain to lie off the surface, in scene units. */
   double offset;
+
+  /** Scratch: the numbers of a transform. */
+  final double[] numbers = new double[Transform.NUMBERS];
 
   /** Begins a search for hits up to and including {@code tMax}, but never beyond the farthest. */
   public void begin(double tMax) {
@@ -94,6 +118,39 @@ public final class Hit {
   }
 
   /**
+   * Sets the shading normal to the unit vector of a direction of any length but zero.
+   *
+   * <p>A quotient by a rounded root has length 1 to within 3.5u. One Newton step, for which its
+   * squares are known exactly, leaves the rounding of the components and of three differences:
+   * 1.5u.
+   */
+  void setShading(double x, double y, double z) {
+    double scale = Ray.power(-Ray.exponent(x, y, z));
+    double x1 = x * scale;
+    double y1 = y * scale;
+    double z1 = z * scale;
+    double length = Math.sqrt(x1 * x1 + y1 * y1 + z1 * z1);
+    sx = x1 / length;
+    sy = y1 / length;
+    sz = z1 / length;
+    double missing = 1 - sx * sx - sy * sy - sz * sz;
+    missing -= squareError(sx) + squareError(sy) + squareError(sz);
+    sx += sx * missing / 2;
+    sy += sy * missing / 2;
+    sz += sz * missing / 2;
+  }
+
+  /** Returns what {@code x * x} lacks of the square of a number of 0 to 1 (Dekker 1971). */
+  private static double squareError(double x) {
+    double high = x * SPLIT - (x * SPLIT - x);
+    double low = x - high;
+    return high * high - x * x + 2 * high * low + low * low;
+  }
+
+  /** Multiplied by this, a number parts into halves whose products are exact. */
+  private static final double SPLIT = 0x1p27 + 1;
+
+  /**
    * Records the hit with a solid, which the ray enters at {@code near} and leaves at {@code far}.
    */
   void offerSolid(Ray ray, double near, double far, int id, double nearPart, double farPart) {
@@ -111,13 +168,18 @@ public final class Hit {
     return 2 * offset / Math.abs(ray.dx * nx + ray.dy * ny + ray.dz * nz);
   }
 
-  /** Turns the normal to the side that a ray comes from. */
+  /** Turns the normal to the side that a ray comes from; light sees the same one. */
   public void face(Ray ray) {
-    if (ray.dx * nx + ray.dy * ny + ray.dz * nz > 0) {
-      nx = -nx;
-      ny = -ny;
-      nz = -nz;
-    }
+    side = ray.dx * nx + ray.dy * ny + ray.dz * nz > 0 ? -1 : 1;
+    nx *= side;
+    ny *= side;
+    nz *= side;
+    sx = nx;
+    sy = ny;
+    sz = nz;
+    liftX = 0;
+    liftY = 0;
+    liftZ = 0;
   }
 
   /** Makes this the same hit as another. */
@@ -134,6 +196,13 @@ public final class Hit {
     nx = other.nx;
     ny = other.ny;
     nz = other.nz;
+    sx = other.sx;
+    sy = other.sy;
+    sz = other.sz;
+    liftX = other.liftX;
+    liftY = other.liftY;
+    liftZ = other.liftZ;
+    side = other.side;
     surface = other.surface;
     offset = other.offset;
   }
@@ -148,26 +217,53 @@ public final class Hit {
 
   /** Sets {@code ray} to leave this point in a direction of any length, on the side it leads to. */
   public void spawn(double dx, double dy, double dz, Ray ray) {
-    double side = dx * nx + dy * ny + dz * nz < 0 ? -offset : offset;
-    ray.set(px + side * nx, py + side * ny, pz + side * nz, dx, dy, dz);
+    leave(dx * nx + dy * ny + dz * nz < 0 ? -offset : offset, dx, dy, dz, ray);
   }
 
   /**
-   * Sets {@code ray} to lead from this point to a target, with a direction of length 1 to 4.
+   * Sets {@code ray} to leave this point, which was faced, on the normal's side (1) or the other
+   * (-1).
    *
-   * @return the last parameter before the target, which is no part of the way
+   * <p>A direction that was mirrored or bent by the shading normal may lead to the wrong side of
+   * the true surface. It is then mirrored once more, by that; 16u cover all rounding of it.
+   *
+   * @param dx the direction, of a length near 1; the ray's has length 1
+   */
+  public void spawn(double dx, double dy, double dz, int toSide, Ray ray) {
+    double rise = toSide * (dx * nx + dy * ny + dz * nz);
+    double more = rise < 0 ? toSide * (16 * Rounding.U - 2 * rise) : 0;
+    double x = dx + more * nx;
+    double y = dy + more * ny;
+    double z = dz + more * nz;
+    double length = Math.sqrt(x * x + y * y + z * z);
+    leave(toSide * offset, x / length, y / length, z / length, ray);
+  }
+
+  private void leave(double along, double dx, double dy, double dz, Ray ray) {
+    ray.set(px + along * nx, py + along * ny, pz + along * nz, dx, dy, dz);
+  }
+
+  /** Sets {@code ray} to lead from this point, which was faced, to light in a direction. */
+  public void spawnToLight(double dx, double dy, double dz, Ray ray) {
+    double ox = px + liftX + offset * nx;
+    double oy = py + liftY + offset * ny;
+    double oz = pz + liftZ + offset * nz;
+    ray.set(ox, oy, oz, dx, dy, dz);
+  }
+
+  /**
+   * Sets {@code ray} to lead from this point, which was faced, to a light's place, with a direction
+   * of length 1 to 4.
+   *
+   * @return the last parameter before the place, which is no part of the way
    */
   public double spawnTo(double x, double y, double z, Ray ray) {
-    double side = (x - px) * nx + (y - py) * ny + (z - pz) * nz < 0 ? -offset : offset;
-    double ox = px + side * nx;
-    double oy = py + side * ny;
-    double oz = pz + side * nz;
-    double dx = x - ox;
-    double dy = y - oy;
-    double dz = z - oz;
+    double dx = x - (px + liftX + offset * nx);
+    double dy = y - (py + liftY + offset * ny);
+    double dz = z - (pz + liftZ + offset * nz);
     int exponent = Ray.exponent(dx, dy, dz);
     double scale = Ray.power(-exponent);
-    ray.set(ox, oy, oz, dx * scale, dy * scale, dz * scale);
+    spawnToLight(dx * scale, dy * scale, dz * scale, ray);
     return Ray.power(exponent) * BEFORE_ONE;
   }
 

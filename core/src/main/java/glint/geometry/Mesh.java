@@ -2,6 +2,7 @@ package glint.geometry;
 
 import glint.math.BadValueException;
 import glint.math.Check;
+import glint.math.Transform;
 import glint.math.Vector3d;
 import java.util.ArrayList;
 import java.util.List;
@@ -10,12 +11,15 @@ import java.util.List;
  * Triangles that share corners; its arrays are never changed once it is made.
  *
  * <p>Seen from both sides; where corners run counter-clockwise is the outside. A triangle without
- * area is never hit.
+ * area is never hit. One with normals at its corners stands for a curved surface.
  */
 public final class Mesh implements Surface {
 
   private final double[] points;
   private final int[] corners;
+
+  /** Unit normals, at three corners of a triangle or at none. */
+  private final CornerValues normals;
 
   /**
    * Makes a mesh that takes over the two arrays: nobody may change them any more.
@@ -41,6 +45,57 @@ public final class Mesh implements Surface {
     }
     this.points = points;
     this.corners = corners;
+    normals = CornerValues.NONE;
+  }
+
+  private Mesh(Mesh other, CornerValues normals) {
+    points = other.points;
+    corners = other.corners;
+    this.normals = normals;
+  }
+
+  /**
+   * Returns this mesh with normals, by which light sees it as curved.
+   *
+   * <p>A corner without one shares that of its smoothing group, if its triangle is in one: the sum
+   * of the triangles' normals there, weighted by their angles. A triangle that then has none is
+   * flat.
+   *
+   * @param given normals of any length; one of length zero is none
+   * @param groups the smoothing group of each triangle, 0 for none
+   */
+  public Mesh withNormals(CornerValues given, int[] groups) {
+    requireFit(given);
+    if (groups.length != triangles()) {
+      throw new IllegalArgumentException("every triangle needs a smoothing group, or 0");
+    }
+    return new Mesh(this, new NormalFinder(points, corners, given).byGroup(groups));
+  }
+
+  /**
+   * Returns this mesh with normals where it has none: triangles that have an edge in common and
+   * meet there at less than an angle share them at its ends.
+   */
+  public Mesh smoothed(double degrees) {
+    return new Mesh(this, new NormalFinder(points, corners, normals).byAngle(degrees));
+  }
+
+  private void requireFit(CornerValues values) {
+    if (!values.isEmpty() && values.corners() != corners.length) {
+      throw new IllegalArgumentException("every corner needs a value, or -1");
+    }
+  }
+
+  /** Returns whether any triangle has normals at its corners. */
+  public boolean isSmooth() {
+    return !normals.isEmpty();
+  }
+
+  /** Sets the shading normal, and where shadow rays leave, of a faced hit on a triangle. */
+  public void shade(int triangle, Transform toWorld, Hit hit) {
+    if (normals.has(3 * triangle)) {
+      SmoothTriangle.shade(points, corners, normals, triangle, toWorld, hit);
+    }
   }
 
   /** Returns the number of triangles. */

@@ -39,6 +39,10 @@ public final class Primitives {
 
   private final int[] surface;
   private final double[] data;
+
+  /** For smooth meshes, by surface, the number of its first primitive. */
+  private final int[] firstNumber;
+
   private final int unbounded;
   private final double conditioning;
   private final int degenerate;
@@ -47,6 +51,7 @@ public final class Primitives {
     head = Arrays.copyOf(b.head, b.count);
     surface = Arrays.copyOf(b.surface, b.count);
     data = Arrays.copyOf(b.data, b.used);
+    firstNumber = b.firstNumber;
     this.unbounded = unbounded;
     conditioning = b.conditioning;
     degenerate = b.degenerate;
@@ -62,9 +67,14 @@ public final class Primitives {
     return surface[slot];
   }
 
+  /** Returns which triangle of its mesh was hit. */
+  public int triangle(Hit hit) {
+    return hit.primitive - firstNumber[hit.surface];
+  }
+
   /** Returns what the arrays take in memory. */
   public long bytes() {
-    return 8L * head.length + 4L * surface.length + 8L * data.length;
+    return 8L * head.length + 4L * (surface.length + firstNumber.length) + 8L * data.length;
   }
 
   /** Returns how many primitives have no bounds; they take the first slots. */
@@ -90,6 +100,7 @@ public final class Primitives {
     b.reserve(head.length, data.length);
     b.conditioning = conditioning;
     b.degenerate = degenerate;
+    b.firstNumber = firstNumber;
     for (int slot = 0; slot < head.length; slot++) {
       int from = slot < unbounded ? slot : unbounded + order[slot - unbounded];
       b.put(kind(head[from]), data, start(head[from]), number(head[from]), surface[from]);
@@ -223,6 +234,7 @@ public final class Primitives {
     private int used;
     private int next;
     private int degenerate;
+    private int[] firstNumber = {};
     private double conditioning = 1;
 
     /** Adds a surface, carried into the world by {@code toWorld}, under a surface number. */
@@ -256,6 +268,7 @@ public final class Primitives {
       sorted.reserve(count, used);
       sorted.conditioning = conditioning;
       sorted.degenerate = degenerate;
+      sorted.firstNumber = firstNumber;
       int planes = 0;
       for (boolean bounded : new boolean[] {false, true}) {
         for (int i = 0; i < count; i++) {
@@ -314,6 +327,8 @@ public final class Primitives {
 
     /** Adds every triangle; one whose corners a mirroring has turned over is reversed. */
     private void addMesh(Mesh m, Transform toWorld, int number) {
+      firstNumber = Arrays.copyOf(firstNumber, Math.max(firstNumber.length, number + 1));
+      firstNumber[number] = next;
       reserve(count + m.triangles(), used + (long) TriangleKernel.SIZE * m.triangles());
       int k = toWorld.mirrors() ? REVERSED_TRIANGLE : TRIANGLE;
       double[] nine = new double[TriangleKernel.SIZE];

@@ -118,6 +118,24 @@ final class TransformedKernel {
     hit.offset = 2 * ((hit.offset + back + Math.abs(missed)) / stretch + there);
   }
 
+  /**
+   * Carries a shading normal and a lift, both on the side of a hit that was faced, into the world.
+   */
+  static void shadingToWorld(
+      double[] m, double nx, double ny, double nz, double x, double y, double z, Hit hit) {
+    hit.setShading(
+        m[0] * nx + m[3] * ny + m[6] * nz,
+        m[1] * nx + m[4] * ny + m[7] * nz,
+        m[2] * nx + m[5] * ny + m[8] * nz);
+    double liftX = row(m, FORWARD, x, y, z);
+    double liftY = row(m, FORWARD + 3, x, y, z);
+    double liftZ = row(m, FORWARD + 6, x, y, z);
+    boolean rises = liftX * hit.nx + liftY * hit.ny + liftZ * hit.nz > 0;
+    hit.liftX = rises ? liftX : 0;
+    hit.liftY = rises ? liftY : 0;
+    hit.liftZ = rises ? liftZ : 0;
+  }
+
   private static double row(double[] data, int at, double x, double y, double z) {
     return data[at] * x + data[at + 1] * y + data[at + 2] * z;
   }

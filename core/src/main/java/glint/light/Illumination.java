@@ -144,7 +144,7 @@ public final class Illumination {
   public double shadowRay(int i, Hit hit, Ray ray) {
     Vector3d w = where[i];
     if (kind[i] == DIRECTIONAL) {
-      hit.spawn(w.x(), w.y(), w.z(), ray);
+      hit.spawnToLight(w.x(), w.y(), w.z(), ray);
       return Double.POSITIVE_INFINITY;
     }
     return hit.spawnTo(w.x(), w.y(), w.z(), ray);

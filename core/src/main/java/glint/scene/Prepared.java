@@ -4,9 +4,11 @@ import glint.accel.Bvh;
 import glint.accel.Intersector;
 import glint.color.Rgb;
 import glint.geometry.Cylinder;
+import glint.geometry.Hit;
 import glint.geometry.Mesh;
 import glint.geometry.Primitives;
 import glint.geometry.Quad;
+import glint.geometry.Ray;
 import glint.geometry.Surface;
 import glint.geometry.Triangle;
 import glint.light.Illumination;
@@ -42,6 +44,7 @@ public final class Prepared {
   /** The tree over the primitives, or null where the plan does without. */
   private final Bvh tree;
 
+  private final boolean smooth;
   private final double radianceBound;
 
   /** The media that the eye is inside of. */
@@ -58,6 +61,7 @@ public final class Prepared {
       mediumOf[i] = mediumNumber(materials[i]);
       open[i] = materials[i].isTransparent() && isSheet(scene.placements().get(i).surface());
     }
+    smooth = plan.smoothNormals().used();
     tree = plan.tree().used() ? Bvh.over(primitives) : null;
     this.primitives = tree == null ? primitives : tree.primitives();
     radianceBound = boundRadiance();
@@ -146,6 +150,17 @@ public final class Prepared {
   /** Returns the media that the eye is inside of, outermost first; nobody may change the array. */
   public int[] mediaAtEye() {
     return mediaAtEye;
+  }
+
+  /** Turns the normals of a resolved hit to the side that a ray comes from. */
+  public void face(Ray ray, Hit hit) {
+    hit.face(ray);
+    if (smooth) {
+      Placement met = scene.placements().get(hit.surface);
+      if (met.surface() instanceof Mesh mesh) {
+        mesh.shade(primitives.triangle(hit), met.toWorld(), hit);
+      }
+    }
   }
 
   /** Returns the number of things that a ray can hit. */

@@ -1,5 +1,6 @@
 package glint.scene;
 
+import glint.geometry.Mesh;
 import glint.geometry.Primitives;
 import glint.light.Illumination;
 import glint.optics.Highlight;
@@ -13,6 +14,7 @@ import java.util.function.Predicate;
  */
 public record RenderPlan(
     Decision tree,
+    Decision smoothNormals,
     Decision directLight,
     Decision shadows,
     Decision highlights,
@@ -27,6 +29,7 @@ public record RenderPlan(
   static RenderPlan of(Scene scene, Primitives primitives, Illumination lights) {
     return new RenderPlan(
         tree(primitives),
+        smoothNormals(scene),
         directLight(scene, lights),
         shadows(scene, lights),
         highlights(scene, lights),
@@ -40,6 +43,7 @@ public record RenderPlan(
     String reason = "everything is switched on";
     return new RenderPlan(
         new Decision("hierarchy", true, reason),
+        new Decision("smooth normals", true, reason),
         new Decision("direct light", true, reason),
         new Decision("shadow rays", true, reason),
         new Decision("highlights", true, reason),
@@ -50,7 +54,7 @@ public record RenderPlan(
 
   /** Returns the decisions in the order in which a ray meets them. */
   public List<Decision> decisions() {
-    return List.of(tree, directLight, shadows, highlights, mirrors, refraction, sky);
+    return List.of(tree, smoothNormals, directLight, shadows, highlights, mirrors, refraction, sky);
   }
 
   private static Decision tree(Primitives primitives) {
@@ -59,6 +63,13 @@ public record RenderPlan(
     return bounded > HANDFUL
         ? new Decision("hierarchy", true, "bounding volumes over " + counts)
         : new Decision("hierarchy", false, "a handful is scanned: " + counts);
+  }
+
+  private static Decision smoothNormals(Scene scene) {
+    int smooth = count(scene, p -> p.surface() instanceof Mesh mesh && mesh.isSmooth());
+    String which =
+        smooth == 0 ? "no mesh has normals of its own" : "meshes with normals: " + smooth;
+    return new Decision("smooth normals", smooth > 0, which);
   }
 
   private static Decision directLight(Scene scene, Illumination lights) {

@@ -88,7 +88,7 @@ final class Boundary {
         surface = last.surface;
         opaque = true;
         hit.copy(last);
-        hit.face(ray);
+        scene.face(ray, hit);
         return;
       }
       cross(last);

@@ -85,7 +85,7 @@ final class DirectLight {
       tell(i, Fate.DARK, 0, 0, 0, 0);
       return;
     }
-    double cos = hit.nx * light.lx + hit.ny * light.ly + hit.nz * light.lz;
+    double cos = hit.sx * light.lx + hit.sy * light.ly + hit.sz * light.lz;
     if (!(cos > 0)) {
       tell(i, Fate.BEHIND, cos, 0, 0, 0);
       return;
@@ -150,10 +150,10 @@ final class DirectLight {
         return passes();
       }
       intersector.resolve(shadowRay, blocker);
-      blocker.face(shadowRay);
+      scene.face(shadowRay, blocker);
       interior.complete(blocker);
       double t = blocker.t;
-      double cos = Math.abs(dx * blocker.nx + dy * blocker.ny + dz * blocker.nz) / length;
+      double cos = -(dx * blocker.sx + dy * blocker.sy + dz * blocker.sz) / length;
       boundary.meet(shadowRay, end, blocker, interior);
       if (boundary.opaque) {
         if (recorder != null) {
@@ -165,7 +165,7 @@ final class DirectLight {
         absorb((t - from) * length);
         from = t;
         Rgb transparency = boundary.material().transparency();
-        double reflected = boundary.shadowReflectance(Math.min(cos, 1));
+        double reflected = boundary.shadowReflectance(Math.min(Math.max(cos, 0), 1));
         double through = 1 - reflected;
         passR *= transparency.r() * through;
         passG *= transparency.g() * through;
@@ -207,11 +207,11 @@ final class DirectLight {
       double hy = light.ly - ray.dy;
       double hz = light.lz - ray.dz;
       double h = Math.sqrt(hx * hx + hy * hy + hz * hz);
-      angle = h > 0 ? (hit.nx * hx + hit.ny * hy + hit.nz * hz) / h : 0;
+      angle = h > 0 ? (hit.sx * hx + hit.sy * hy + hit.sz * hz) / h : 0;
     } else {
-      double mx = 2 * cos * hit.nx - light.lx;
-      double my = 2 * cos * hit.ny - light.ly;
-      double mz = 2 * cos * hit.nz - light.lz;
+      double mx = 2 * cos * hit.sx - light.lx;
+      double my = 2 * cos * hit.sy - light.ly;
+      double mz = 2 * cos * hit.sz - light.lz;
       angle = -(mx * ray.dx + my * ray.dy + mz * ray.dz);
     }
     return Lobe.of(Math.min(Math.max(angle, 0), 1), shininess);

@@ -103,7 +103,7 @@ public final class Recorder {
    */
   void meets(Ray ray, Hit hit, Boundary boundary, Medium before, Medium beyond) {
     Vector3d normal = normal(hit);
-    double cos = -(ray.dx * hit.nx + ray.dy * hit.ny + ray.dz * hit.nz);
+    double cos = -(ray.dx * hit.sx + ray.dy * hit.sy + ray.dz * hit.sz);
     Optional<RayTree.Boundary> way =
         boundary.opaque
             ? Optional.empty()
@@ -195,6 +195,6 @@ public final class Recorder {
   }
 
   private static Vector3d normal(Hit hit) {
-    return new Vector3d(hit.nx, hit.ny, hit.nz);
+    return new Vector3d(hit.sx, hit.sy, hit.sz);
   }
 }

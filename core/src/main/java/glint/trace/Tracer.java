@@ -113,7 +113,7 @@ public final class Tracer {
     intersector.closest(ray, tMax, hit);
     if (hit.found()) {
       intersector.resolve(ray, hit);
-      hit.face(ray);
+      scene.face(ray, hit);
     }
     return hit;
   }
@@ -174,7 +174,7 @@ public final class Tracer {
         return false;
       }
       intersector.resolve(f.ray, hit);
-      hit.face(f.ray);
+      scene.face(f.ray, hit);
       if (!plan.refraction().used()) {
         boundary.surface = hit.surface;
         boundary.opaque = true;
@@ -257,12 +257,11 @@ public final class Tracer {
   /** Sets a frame's ray to its mirror image about the normal, from the hit. */
   private void reflect(Frame f) {
     Ray ray = f.ray;
-    double twice = 2 * (ray.dx * hit.nx + ray.dy * hit.ny + ray.dz * hit.nz);
-    double dx = ray.dx - twice * hit.nx;
-    double dy = ray.dy - twice * hit.ny;
-    double dz = ray.dz - twice * hit.nz;
-    double length = Math.sqrt(dx * dx + dy * dy + dz * dz);
-    hit.spawn(dx / length, dy / length, dz / length, ray);
+    double twice = 2 * (ray.dx * hit.sx + ray.dy * hit.sy + ray.dz * hit.sz);
+    double dx = ray.dx - twice * hit.sx;
+    double dy = ray.dy - twice * hit.sy;
+    double dz = ray.dz - twice * hit.sz;
+    hit.spawn(dx, dy, dz, 1, ray);
     f.begin(Double.POSITIVE_INFINITY, f.weightR, f.weightG, f.weightB);
     counts.reflection++;
   }
@@ -275,7 +274,7 @@ public final class Tracer {
   private double refract(Frame f, Frame through, Rgb transparency) {
     Ray ray = f.ray;
     double eta = boundary.eta;
-    double cosIn = -(ray.dx * hit.nx + ray.dy * hit.ny + ray.dz * hit.nz);
+    double cosIn = -(ray.dx * hit.sx + ray.dy * hit.sy + ray.dz * hit.sz);
     cosIn = Math.min(Math.max(cosIn, 0), 1);
     double cosOut = Fresnel.cosOut(cosIn, eta);
     double share = Fresnel.reflectance(cosIn, cosOut, eta);
@@ -298,11 +297,10 @@ public final class Tracer {
       return share;
     }
     double along = eta * cosIn - cosOut;
-    double dx = eta * ray.dx + along * hit.nx;
-    double dy = eta * ray.dy + along * hit.ny;
-    double dz = eta * ray.dz + along * hit.nz;
-    double length = Math.sqrt(dx * dx + dy * dy + dz * dz);
-    hit.spawn(dx / length, dy / length, dz / length, through.ray);
+    double dx = eta * ray.dx + along * hit.sx;
+    double dy = eta * ray.dy + along * hit.sy;
+    double dz = eta * ray.dz + along * hit.sz;
+    hit.spawn(dx, dy, dz, -1, through.ray);
     through.begin(Double.POSITIVE_INFINITY, wr, wg, wb);
     if (boundary.several) { // what coincides here is crossed already
       through.ray.tMin = hit.clearance(through.ray);

@@ -1,5 +1,6 @@
 package glint.verify;
 
+import glint.geometry.CornerValues;
 import glint.geometry.Mesh;
 import glint.geometry.Primitives;
 import glint.math.Vector3d;
@@ -79,10 +80,7 @@ record ClosedMesh(List<Vector3d> corners, List<int[]> faces) {
    * four so many times, every corner moved along its radius by a sum of sines of at most 0.3.
    */
   static ClosedMesh hills(int splits) {
-    ClosedMesh mesh = icosahedron();
-    for (int i = 0; i < splits; i++) {
-      mesh = mesh.split();
-    }
+    ClosedMesh mesh = icosphere(splits);
     List<Vector3d> corners = new ArrayList<>();
     for (Vector3d v : mesh.corners) {
       Vector3d n = v.normalized();
@@ -93,6 +91,15 @@ record ClosedMesh(List<Vector3d> corners, List<int[]> faces) {
       corners.add(n.times(1 + 0.1 * wave));
     }
     return new ClosedMesh(corners, mesh.faces);
+  }
+
+  /** Returns a sphere of radius 1: an icosahedron, each triangle split in four so many times. */
+  static ClosedMesh icosphere(int splits) {
+    ClosedMesh mesh = icosahedron();
+    for (int i = 0; i < splits; i++) {
+      mesh = mesh.split();
+    }
+    return mesh;
   }
 
   private static ClosedMesh icosahedron() {
@@ -111,7 +118,8 @@ record ClosedMesh(List<Vector3d> corners, List<int[]> faces) {
       for (int b = a + 1; b < 12; b++) {
         for (int c = b + 1; c < 12; c++) {
           if (near(corners, a, b) && near(corners, b, c) && near(corners, a, c)) {
-            faces.add(new int[] {a, b, c});
+            Vector3d n = corners.get(a).cross(corners.get(b));
+            faces.add(n.dot(corners.get(c)) > 0 ? new int[] {a, b, c} : new int[] {a, c, b});
           }
         }
       }
@@ -164,6 +172,19 @@ record ClosedMesh(List<Vector3d> corners, List<int[]> faces) {
 
   Primitives primitives() {
     return Shoot.primitives(List.of(surface()));
+  }
+
+  /** Returns a mesh that looks round: the normals at its corners lead away from the origin. */
+  Mesh round() {
+    Mesh flat = surface();
+    double[] normals = new double[3 * corners.size()];
+    for (int i = 0; i < corners.size(); i++) {
+      normals[3 * i] = corners.get(i).x();
+      normals[3 * i + 1] = corners.get(i).y();
+      normals[3 * i + 2] = corners.get(i).z();
+    }
+    int[] three = faces.stream().flatMapToInt(Arrays::stream).toArray();
+    return flat.withNormals(new CornerValues(3, normals, three), new int[faces.size()]);
   }
 
   Mesh surface() {

@@ -17,6 +17,7 @@ public final class HardCases {
     cases.addAll(BvhCases.all());
     cases.addAll(CameraCases.all());
     cases.addAll(ShadowCases.all());
+    cases.addAll(SmoothCases.all());
     cases.addAll(WorldCases.all());
     cases.addAll(FresnelCases.all());
     cases.addAll(BodyCases.all());

@@ -8,7 +8,9 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import glint.color.Rgb;
 import glint.geometry.Box;
+import glint.geometry.CornerValues;
 import glint.geometry.Cylinder;
+import glint.geometry.Mesh;
 import glint.geometry.Plane;
 import glint.geometry.Pyramid;
 import glint.geometry.Quad;
@@ -68,6 +70,29 @@ class RendererTest {
           new Cylinder(v(1.8, -1, 1), v(2, 0.4, 0.8), scale * 0.4, scale * 0.2, true));
     }
 
+    /** An octahedron that looks round, whose outside may be its inside. */
+    private Mesh jewel() {
+      Vector3d[] at = {
+        v(2.3, 1.4, 1),
+        v(1.1, 1.4, 1),
+        v(1.7, 2, 1),
+        v(1.7, 0.8, 1),
+        v(1.7, 1.4, 1.6),
+        v(1.7, 1.4, 0.4)
+      };
+      double[] points = new double[18];
+      double[] normals = new double[18];
+      Vector3d middle = v(1.7, 1.4, 1);
+      for (int i = 0; i < 6; i++) {
+        Vector3d n = at[i].minus(middle);
+        System.arraycopy(new double[] {at[i].x(), at[i].y(), at[i].z()}, 0, points, 3 * i, 3);
+        System.arraycopy(new double[] {n.x(), n.y(), n.z()}, 0, normals, 3 * i, 3);
+      }
+      int[] corners = {0, 2, 4, 2, 1, 4, 1, 3, 4, 3, 0, 4, 2, 0, 5, 1, 2, 5, 3, 1, 5, 0, 3, 5};
+      Mesh flat = new Mesh(points, corners);
+      return flat.withNormals(new CornerValues(3, normals, corners), new int[8]);
+    }
+
     private Box box() {
       return mirrored
           ? new Box(new Vector3d(scale * 2.4, -scale, -scale), v(-4, 0.1, 0.2))
@@ -94,6 +119,7 @@ class RendererTest {
               .then(Transform.rotate(Quaternion.aboutAxis(new Vector3d(1, 0, 0), 40)))
               .then(Transform.translate(v(0.5, -0.4, 2.5)));
       scene.place(new Placement(new Sphere(Vector3d.ZERO, scale * 0.6), squash, mirror));
+      scene.place(Placement.of(jewel(), mirror));
       scene.place(Placement.of(new Sphere(v(-0.8, -0.2, 3), scale * 0.5), glass(1.5, 1)));
       return scene.place(Placement.of(new Sphere(v(-0.4, -0.4, 3), scale * 0.4), glass(1.3, 0)));
     }
