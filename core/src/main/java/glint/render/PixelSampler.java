@@ -11,12 +11,6 @@ import glint.trace.Tracer;
 /** Traces the samples of one pixel after another and takes their mean; one per thread. */
 final class PixelSampler {
 
-  /** The radiance below which a bounce is not followed: a twentieth of a display level at white. */
-  private static final double NEGLIGIBLE = 0.05 / 255;
-
-  /** The same where the user states the depth: far below what any image shows. */
-  private static final double EXACT = 0x1p-40;
-
   private final boolean centred;
   private final View view;
   private final Tracer tracer;
@@ -39,8 +33,8 @@ final class PixelSampler {
     centred = settings.samples() == 1;
     view = new View(scene.scene().camera(), settings.width(), settings.height());
     int stated = scene.scene().maxDepth().orElse(RenderSettings.DEFAULT_DEPTH);
-    double negligible = settings.maxDepth().isPresent() ? EXACT : NEGLIGIBLE;
-    tracer = new Tracer(scene, settings.maxDepth().orElse(stated), negligible, recorder);
+    int depth = settings.maxDepth().orElse(stated);
+    tracer = new Tracer(scene, depth, settings.negligible(), recorder);
     places = new SobolSampler(settings.seed());
   }
 

@@ -14,6 +14,7 @@ import java.util.Set;
  * @param seed chooses another randomisation of the sample sequence
  * @param maxDepth the most successive bounces; if absent, what the scene states, or else {@link
  *     #DEFAULT_DEPTH}
+ * @param negligible the radiance below which a bounce is not followed
  * @param threads workers, at least 1
  * @param tileSize edge of a tile in pixels, at least 1
  * @param aovs extra pictures
@@ -24,9 +25,16 @@ public record RenderSettings(
     int samples,
     long seed,
     OptionalInt maxDepth,
+    double negligible,
     int threads,
     int tileSize,
     Set<Aov> aovs) {
+
+  /** What is not followed by default: a twentieth of a display level at white. */
+  private static final double NEGLIGIBLE = 0.05 / 255;
+
+  /** The same where the user states the depth: far below what any image shows. */
+  private static final double EXACT = 0x1p-40;
 
   /** Bounces where neither the user nor the scene sets a limit and no light is lost by them. */
   public static final int DEFAULT_DEPTH = 64;
@@ -54,9 +62,38 @@ public record RenderSettings(
     Scene.checkSize(width, height);
     Check.range("samples", samples, 1, MAX_SAMPLES);
     Check.range("depth", maxDepth.orElse(0), 0, MAX_DEPTH);
+    Check.range("negligible", negligible, 0, Double.MAX_VALUE);
     Check.range("threads", threads, 1, MAX_THREADS);
     Check.range("tile", tileSize, 1, MAX_TILE);
     aovs = Set.copyOf(aovs);
+  }
+
+  /** Leaves out what no image shows; next to nothing where the user states the depth. */
+  public RenderSettings(
+      int width,
+      int height,
+      int samples,
+      long seed,
+      OptionalInt maxDepth,
+      int threads,
+      int tileSize,
+      Set<Aov> aovs) {
+    this(
+        width,
+        height,
+        samples,
+        seed,
+        maxDepth,
+        maxDepth.isPresent() ? EXACT : NEGLIGIBLE,
+        threads,
+        tileSize,
+        aovs);
+  }
+
+  /** Returns these settings, but following every bounce that can bring more than a radiance. */
+  public RenderSettings following(double least) {
+    return new RenderSettings(
+        width, height, samples, seed, maxDepth, least, threads, tileSize, aovs);
   }
 
   /** Returns the settings of a plain render of a scene on all cores. */

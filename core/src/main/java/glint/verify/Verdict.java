@@ -10,6 +10,7 @@ import glint.scene.Expectation;
 import glint.scene.Prepared;
 import glint.scene.Scene;
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
@@ -25,8 +26,28 @@ import java.util.Set;
  */
 public record Verdict(Expectation expectation, Rgb actual, long invalid) {
 
+  /**
+   * What is cut off of a ray is at most this share of what may be wrong: rays that split are cut
+   * off in many places.
+   */
+  private static final double CUT = 0x1p-8;
+
+  /** What is cut off where nothing may be wrong at all. */
+  private static final double LEAST_CUT = 0x1p-60;
+
   /** What a picture depends on besides its scene. */
-  private record Run(int samples, OptionalInt maxDepth) {}
+  private record Run(int samples, OptionalInt maxDepth, double negligible) {
+
+    static Run of(Expectation e) {
+      double least =
+          Arrays.stream(channels(e.value()))
+              .map(expected -> CUT * e.allowed(expected))
+              .filter(cut -> cut > LEAST_CUT)
+              .min()
+              .orElse(LEAST_CUT);
+      return new Run(e.samples(), e.maxDepth(), least);
+    }
+  }
 
   /** Renders a scene, once for each way that its expectations ask for, and checks them in order. */
   public static List<Verdict> of(Scene scene, int threads) {
@@ -34,7 +55,7 @@ public record Verdict(Expectation expectation, Rgb actual, long invalid) {
     Map<Run, RenderResult> results = new HashMap<>();
     List<Verdict> verdicts = new ArrayList<>();
     for (Expectation e : scene.expectations()) {
-      Run run = new Run(e.samples(), e.maxDepth());
+      Run run = Run.of(e);
       RenderResult result = results.computeIfAbsent(run, any -> render(prepared, run, threads));
       Image image = result.image();
       Rgb actual = e.pixel().map(p -> pixel(image, p.x(), p.y())).orElseGet(() -> mean(image));
@@ -54,7 +75,8 @@ public record Verdict(Expectation expectation, Rgb actual, long invalid) {
             threads,
             RenderSettings.DEFAULT_TILE,
             Set.of());
-    return new Renderer(scene, settings).render(Progress.NONE);
+    RenderSettings fine = settings.following(Math.min(run.negligible, settings.negligible()));
+    return new Renderer(scene, fine).render(Progress.NONE);
   }
 
   private static Rgb pixel(Image image, int x, int y) {
