@@ -108,4 +108,10 @@ public record RenderSettings(
         DEFAULT_TILE,
         Set.of());
   }
+
+  /** Returns the same with other samples. */
+  public RenderSettings sampled(int newSamples, long newSeed) {
+    return new RenderSettings(
+        width, height, newSamples, newSeed, maxDepth, threads, tileSize, aovs);
+  }
 }

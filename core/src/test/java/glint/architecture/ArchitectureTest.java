@@ -35,7 +35,8 @@ class ArchitectureTest {
           "trace",
           "render",
           "io",
-          "verify");
+          "verify",
+          "report");
 
   private static final Path SOURCES = Path.of("src", "main", "java", "glint");
   private static final Pattern IMPORT = Pattern.compile("(?m)^import (?:static )?([\\w.]+);");

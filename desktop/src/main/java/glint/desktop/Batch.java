@@ -1,12 +1,8 @@
 package glint.desktop;
 
 import java.nio.file.Path;
-import java.text.Normalizer;
 import java.util.ArrayList;
-import java.util.HashMap;
 import java.util.List;
-import java.util.Locale;
-import java.util.Map;
 import java.util.TreeSet;
 import java.util.concurrent.CancellationException;
 
@@ -39,7 +35,7 @@ final class Batch {
     inputs.notes().forEach(reporter::note);
     inputs.problems().forEach(this::fail);
     List<Job> jobs = filter.select(inputs, this::fail);
-    checkNames(jobs);
+    UniqueNames.check(jobs, job -> OutputFiles.names(job.scene().name(), options));
     if (options.stats != null) {
       StatsFile.check(options.stats);
     }
@@ -53,29 +49,6 @@ final class Batch {
       }
     }
     return end(jobs.size() + inputs.broken());
-  }
-
-  /** Checks that no file would be written twice, not even where the file system ignores case. */
-  private void checkNames(List<Job> jobs) throws RunException {
-    Map<String, Job> writers = new HashMap<>();
-    for (Job job : jobs) {
-      for (String file : OutputFiles.names(job.scene().name(), options)) {
-        String key = Normalizer.normalize(file, Normalizer.Form.NFC).toLowerCase(Locale.ROOT);
-        Job other = writers.put(key, job);
-        if (other != null) {
-          throw new RunException(
-              String.format(
-                  Locale.ROOT,
-                  "scene '%s' of %s and scene '%s' of %s would both become %s; rename one, or"
-                      + " render them apart with --scene and --out",
-                  other.scene().name(),
-                  other.file(),
-                  job.scene().name(),
-                  job.file(),
-                  file));
-        }
-      }
-    }
   }
 
   private void run(Job job) {

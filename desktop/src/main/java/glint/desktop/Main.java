@@ -31,6 +31,7 @@ import picocli.CommandLine.UnmatchedArgumentException;
       CheckCommand.class,
       CompareCommand.class,
       ReplayCommand.class,
+      ReportCommand.class,
       VerifyCommand.class,
       HelpCommand.class,
       GenerateCompletion.class

@@ -54,4 +54,20 @@ final class Words {
   static ParameterException wrong(CommandSpec command, String message) {
     return new ParameterException(command.commandLine(), message);
   }
+
+  /**
+   * Returns the seconds of a time such as 30s, 5m or 1h.
+   *
+   * @throws ParameterException if it is none, or zero
+   */
+  static double seconds(CommandSpec command, String option, String text) {
+    if (!text.matches("[0-9]{1,6}(\\.[0-9]{1,6})?[smh]") || !text.matches(".*[1-9].*")) {
+      throw new ParameterException(
+          command.commandLine(),
+          option + " must be a time above zero such as 30s, 5m or 1h, but is '" + text + "'");
+    }
+    int end = text.length() - 1;
+    double factor = text.charAt(end) == 's' ? 1 : text.charAt(end) == 'm' ? 60 : 3600;
+    return factor * Double.parseDouble(text.substring(0, end));
+  }
 }

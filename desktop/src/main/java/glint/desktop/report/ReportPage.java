@@ -1,0 +1,216 @@
+package glint.desktop.report;
+
+import glint.report.Curve;
+import glint.report.Errors;
+import glint.report.Measurement;
+import glint.report.Measurement.Cost;
+import glint.report.Rays;
+import glint.report.Spread;
+import glint.report.Study;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Locale;
+
+/** Puts a report into words, tables and charts. */
+final class ReportPage {
+
+  private final Report report;
+  private final String files;
+  private final List<Block> page = new ArrayList<>();
+
+  private ReportPage(Report report, String files) {
+    this.report = report;
+    this.files = files;
+  }
+
+  /**
+   * Returns the page.
+   *
+   * @param files what the names of the charts' files begin with
+   */
+  static List<Block> of(Report report, String files) {
+    return new ReportPage(report, files).page();
+  }
+
+  private List<Block> page() {
+    page.add(new Block.Heading(1, "Speed against error"));
+    page.add(new Block.Paragraph(machine()));
+    explain();
+    page.add(new Block.Heading(2, "Error"));
+    page.add(errors());
+    chart(Cost.SECONDS, "seconds", "Error against seconds");
+    chart(Cost.RAYS, "rays", "Error against rays");
+    page.add(new Block.Heading(2, "Cost"));
+    page.add(costs());
+    page.add(new Block.Heading(2, "All figures"));
+    for (Report.Entry entry : report.entries()) {
+      page.add(new Block.Details(summary(entry), figures(entry.uniform())));
+    }
+    return page;
+  }
+
+  private String machine() {
+    Report.Environment e = report.environment();
+    String commit = e.commit().isEmpty() ? "" : ", commit " + e.commit();
+    return String.format(
+        Locale.ROOT,
+        "Made by `%s`: Glint %s%s, %s, %s, %s.",
+        report.command(),
+        e.version(),
+        commit,
+        e.java(),
+        e.machine(),
+        e.threads() == 1 ? "1 thread" : e.threads() + " threads");
+  }
+
+  private void explain() {
+    page.add(
+        new Block.Paragraph(
+            "The error is the root mean square of the differences to the truth over all channels,"
+                + " in display levels: 255·encode(clamp(x, 0, 1)), unrounded. The truth is what"
+                + " the scene file says that follows from a formula, pixels or the mean of the"
+                + " image; without that it is a reference, the mean of two long runs that share no"
+                + " sample. Half of what these differ by is how far the reference may be off. An"
+                + " error less than ten times as large stands in parentheses, is drawn hollow, and"
+                + " counts in no slope. A reference follows as many bounces as the images do; what"
+                + " those leave out is bounded by the truncation."));
+    page.add(
+        new Block.Paragraph(
+            "Every figure is of "
+                + Study.RUNS
+                + " runs with different seeds: errors are root mean squares over them, seconds"
+                + " their median, of tracing alone, after a warm-up. All pixels have as many samples"
+                + " as all others. A single sample lies in the middle of its pixel. The slope is"
+                + " that of the line of least squares through the logarithms of error and rays,"
+                + " without the single sample, with its 95 % bootstrap interval over the runs:"
+                + " random samples would have -1/2."));
+  }
+
+  private void chart(Cost cost, String word, String caption) {
+    String svg = PanelChart.of(report.entries(), cost);
+    page.add(new Block.Figure(files + "-" + word + ".svg", caption, svg));
+  }
+
+  /** One row a scene: its error at every fourth power of two. */
+  private Block.Grid errors() {
+    int most = 1;
+    for (Report.Entry entry : report.entries()) {
+      most = Math.max(most, entry.uniform().points().size());
+    }
+    List<String> head = new ArrayList<>(List.of("scene", "truth", "off by"));
+    for (int i = 0; i < most; i += 2) {
+      head.add(i == 0 ? "1 sample" : String.valueOf(1 << i));
+    }
+    head.add("slope");
+    List<List<String>> rows = new ArrayList<>();
+    for (Report.Entry entry : report.entries()) {
+      Curve curve = entry.uniform();
+      List<String> row = new ArrayList<>();
+      row.add(entry.name());
+      row.add(curve.truth().origin());
+      row.add(curve.truth().uncertainty() == 0 ? "–" : level(curve.truth().uncertainty()));
+      for (int i = 0; i < most; i += 2) {
+        row.add(i < curve.points().size() ? error(curve.points().get(i)) : "–");
+      }
+      row.add(curve.trend(Cost.RAYS).map(ReportPage::slope).orElse("–"));
+      rows.add(row);
+    }
+    return new Block.Grid(head, rows);
+  }
+
+  private Block.Grid costs() {
+    List<String> head =
+        List.of(
+            "scene",
+            "pixels",
+            "camera rays",
+            "reflected",
+            "refracted",
+            "shadow",
+            "rays per second",
+            "1 sample takes",
+            "truncation");
+    List<List<String>> rows = new ArrayList<>();
+    for (Report.Entry entry : report.entries()) {
+      Curve curve = entry.uniform();
+      Measurement last = curve.points().get(curve.points().size() - 1);
+      Rays rays = last.rays();
+      double seconds = last.seconds().median();
+      rows.add(
+          List.of(
+              entry.name(),
+              entry.width() + "x" + entry.height(),
+              share(rays.camera(), rays),
+              share(rays.reflection(), rays),
+              share(rays.refraction(), rays),
+              share(rays.shadow(), rays),
+              Numbers.prefixed(rays.total() / seconds, ""),
+              Numbers.prefixed(seconds / last.samples(), "s"),
+              level(curve.truncation())));
+    }
+    return new Block.Grid(head, rows);
+  }
+
+  private static Block.Grid figures(Curve curve) {
+    List<String> head =
+        List.of(
+            "samples",
+            "levels",
+            "largest",
+            "linear",
+            "largest linear",
+            "seconds",
+            "least",
+            "most",
+            "rays");
+    List<List<String>> rows = new ArrayList<>();
+    for (Measurement point : curve.points()) {
+      Errors error = point.error();
+      Spread seconds = point.seconds();
+      rows.add(
+          List.of(
+              String.valueOf(point.samples()),
+              error(point),
+              level(error.maxLevels()),
+              scientific(error.linear()),
+              scientific(error.maxLinear()),
+              Numbers.prefixed(seconds.median(), "s"),
+              Numbers.prefixed(seconds.min(), "s"),
+              Numbers.prefixed(seconds.max(), "s"),
+              Numbers.prefixed(point.rays().total(), "")));
+    }
+    return new Block.Grid(head, rows);
+  }
+
+  private static String summary(Report.Entry entry) {
+    String end = entry.uniform().complete() ? "" : "; the time limit ended it";
+    String title = entry.title().equals(entry.name()) ? "" : ", " + entry.title();
+    return entry.name() + title + " (" + entry.file() + ")" + end;
+  }
+
+  private static String error(Measurement point) {
+    String level = level(point.error().levels());
+    return point.trusted() ? level : "(" + level + ")";
+  }
+
+  private static String level(double levels) {
+    return levels <= Curve.NONE ? "0" : Numbers.digits(levels);
+  }
+
+  private static String slope(Curve.Trend trend) {
+    return String.format(
+        Locale.ROOT,
+        "%.2f (%.2f to %.2f)",
+        trend.law().slope(),
+        trend.interval().low(),
+        trend.interval().high());
+  }
+
+  private static String share(double kind, Rays rays) {
+    return String.format(Locale.ROOT, "%.0f %%", 100 * kind / rays.total());
+  }
+
+  private static String scientific(double value) {
+    return value == 0 ? "0" : String.format(Locale.ROOT, "%.2e", value);
+  }
+}
