@@ -31,9 +31,10 @@ final class ObjFaces {
   private boolean ahead;
 
   /** Faces that name points still to come: size, line, column, and three numbers a corner. */
-  private int[] deferred = new int[12];
+  private final Ints deferred = new Ints();
 
-  private int deferredUsed;
+  /** The coordinates of the corners of a face that is divided. */
+  private double[] spots = {};
 
   ObjFaces(ObjGeometry geometry) {
     this.geometry = geometry;
@@ -86,31 +87,25 @@ final class ObjFaces {
   }
 
   private void defer() {
-    int needed = 3 + 3 * size;
-    while (deferredUsed + needed > deferred.length) {
-      deferred = Arrays.copyOf(deferred, ObjGeometry.grown(deferred.length));
-    }
-    int at = deferredUsed;
-    deferred[at] = size;
-    deferred[at + 1] = line;
-    deferred[at + 2] = column;
+    deferred.add(size);
+    deferred.add(line);
+    deferred.add(column);
     for (int i = 0; i < size; i++) {
-      deferred[at + 3 + 3 * i] = polygon[i];
-      deferred[at + 4 + 3 * i] = places[2 * i];
-      deferred[at + 5 + 3 * i] = places[2 * i + 1];
+      deferred.add(polygon[i]);
+      deferred.add(places[2 * i]);
+      deferred.add(places[2 * i + 1]);
     }
-    deferredUsed += needed;
   }
 
   /** Ends the model: adds what had to wait for its points. */
   void finish(Problems problems, Problems notes) {
     int at = 0;
-    while (at < deferredUsed) {
-      begin(deferred[at + 1], deferred[at + 2]);
-      int end = at + 3 + 3 * deferred[at];
+    while (at < deferred.size()) {
+      begin(deferred.get(at + 1), deferred.get(at + 2));
+      int end = at + 3 + 3 * deferred.get(at);
       try {
         for (at += 3; at < end; at += 3) {
-          takeUp(deferred[at], deferred[at + 1], deferred[at + 2]);
+          takeUp(deferred.get(at), deferred.get(at + 1), deferred.get(at + 2));
         }
         add();
       } catch (BadObj e) {
@@ -176,7 +171,11 @@ final class ObjFaces {
   }
 
   private void divide() {
-    Outcome outcome = triangulator.divide(geometry.points(), polygon, size);
+    spots = spots.length < 3 * size ? new double[3 * polygon.length] : spots;
+    for (int i = 0; i < 3 * size; i++) {
+      spots[i] = geometry.coordinate(polygon[i / 3], i % 3);
+    }
+    Outcome outcome = triangulator.divide(spots, size);
     if (outcome == Outcome.GIVEN_UP) {
       throw new BadObj(place(), "this face is too intricate to be divided into triangles");
     }

@@ -18,15 +18,14 @@ final class Triangulator {
   /**
    * Divides a polygon of at least four corners.
    *
-   * @param points x, y, z of every point
-   * @param corners the numbers of the polygon's points, of which the first {@code n} count
+   * @param corners x, y, z of each, of which the first {@code n} count
    */
-  Outcome divide(double[] points, int[] corners, int n) {
+  Outcome divide(double[] corners, int n) {
     if (3L * n > triangles.length) {
       triangles = new int[Math.max(3 * n, 2 * triangles.length)];
     }
-    measureNormal(points, corners, n);
-    boolean flattened = flatten(points, corners, n);
+    measureNormal(corners, n);
+    boolean flattened = flatten(corners, n);
     if (flattened && !flat.isStrictlyConvex()) {
       return clipper.clip(triangles);
     }
@@ -44,19 +43,17 @@ final class Triangulator {
   }
 
   /** Sums up the cross products of successive corners, seen from the first. */
-  private void measureNormal(double[] points, int[] corners, int n) {
-    int first = 3 * corners[0];
+  private void measureNormal(double[] corners, int n) {
     double nx = 0;
     double ny = 0;
     double nz = 0;
     double ax = 0;
     double ay = 0;
     double az = 0;
-    for (int i = 1; i < n; i++) {
-      int at = 3 * corners[i];
-      double bx = points[at] - points[first];
-      double by = points[at + 1] - points[first + 1];
-      double bz = points[at + 2] - points[first + 2];
+    for (int at = 3; at < 3 * n; at += 3) {
+      double bx = corners[at] - corners[0];
+      double by = corners[at + 1] - corners[1];
+      double bz = corners[at + 2] - corners[2];
       nx += ay * bz - az * by;
       ny += az * bx - ax * bz;
       nz += ax * by - ay * bx;
@@ -70,7 +67,7 @@ final class Triangulator {
   }
 
   /** Slides the corners along the normal into an axis plane; returns whether there is a normal. */
-  private boolean flatten(double[] points, int[] corners, int n) {
+  private boolean flatten(double[] corners, int n) {
     int axis = 0;
     for (int i = 1; i < 3; i++) {
       axis = Math.abs(normal[i]) > Math.abs(normal[axis]) ? i : axis;
@@ -82,9 +79,8 @@ final class Triangulator {
     double dv = normal[v] / normal[axis];
     flat.begin(n);
     for (int i = 0; i < n; i++) {
-      int at = 3 * corners[i];
-      double height = points[at + axis] - points[3 * corners[0] + axis];
-      flat.set(i, points[at + u] - height * du, points[at + v] - height * dv);
+      double height = corners[3 * i + axis] - corners[axis];
+      flat.set(i, corners[3 * i + u] - height * du, corners[3 * i + v] - height * dv);
     }
     return normal[axis] != 0;
   }

@@ -36,14 +36,12 @@ class TriangulatorTest {
   private static Division divide(double... xy) {
     int n = xy.length / 2;
     double[] points = new double[3 * n];
-    int[] corners = new int[n];
     for (int i = 0; i < n; i++) {
       points[3 * i] = xy[2 * i];
       points[3 * i + 1] = xy[2 * i + 1];
-      corners[i] = i;
     }
     Triangulator triangulator = new Triangulator();
-    Outcome outcome = triangulator.divide(points, corners, n);
+    Outcome outcome = triangulator.divide(points, n);
     List<BigDecimal> areas = new ArrayList<>();
     int[] uses = new int[n];
     for (int i = 0; i < 3 * (n - 2) && outcome != Outcome.GIVEN_UP; i += 3) {
@@ -217,9 +215,8 @@ class TriangulatorTest {
       for (int i = 0; i < 36; i++) {
         points[i] = o[i % 3] + xy[i / 3 * 2] * u[i % 3] + xy[i / 3 * 2 + 1] * v[i % 3];
       }
-      int[] corners = {0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11};
       Triangulator t = new Triangulator();
-      assertEquals(Outcome.DIVIDED, t.divide(points, corners, 12));
+      assertEquals(Outcome.DIVIDED, t.divide(points, 12));
       double sum = 0;
       for (int i = 0; i < 30; i += 3) {
         double[] three = new double[6];
