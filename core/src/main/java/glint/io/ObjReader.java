@@ -2,6 +2,7 @@ package glint.io;
 
 import java.io.IOException;
 import java.io.InputStream;
+import java.util.Arrays;
 import java.util.List;
 import java.util.Set;
 
@@ -47,6 +48,7 @@ public final class ObjReader {
   private final Problems notes;
   private final ObjGeometry geometry = new ObjGeometry();
   private final ObjFaces faces = new ObjFaces(geometry);
+  private final double[] point = new double[3];
   private ObjNote unknown;
 
   private ObjReader(InputStream in, String name) throws IOException {
@@ -120,20 +122,20 @@ public final class ObjReader {
 
   /** Reads a point; a weight or a colour after its coordinates is only checked to be numbers. */
   private void readPoint() throws IOException {
-    double[] p = new double[3];
+    Arrays.fill(point, 0);
     try {
       for (int i = 0; i < 3; i++) {
         if (!source.hasToken()) {
           throw new BadObj(source.place(), "a point needs three numbers, but has only " + i);
         }
-        p[i] = source.number();
+        point[i] = source.number();
       }
       while (source.hasToken()) {
         source.number();
       }
     } finally {
       // A bad one counts, so that the indices after it stay right
-      geometry.point(p[0], p[1], p[2]);
+      geometry.point(point[0], point[1], point[2]);
     }
   }
 
