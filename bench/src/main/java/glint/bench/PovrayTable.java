@@ -3,23 +3,14 @@ package glint.bench;
 import glint.color.Transfer;
 import glint.image.Comparison;
 import glint.image.Image;
-import glint.io.SceneFile;
-import glint.io.SceneFiles;
-import glint.render.Progress;
 import glint.render.RenderResult;
-import glint.render.RenderSettings;
-import glint.render.Renderer;
-import glint.scene.Prepared;
 import glint.scene.Scene;
 import java.awt.image.BufferedImage;
 import java.io.File;
 import java.io.IOException;
-import java.io.InputStream;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Locale;
-import java.util.OptionalInt;
-import java.util.Set;
 import javax.imageio.ImageIO;
 
 /**
@@ -60,26 +51,15 @@ public final class PovrayTable {
             + " Glint left out |");
     System.out.println("|---|---|---|---|---|---|---|---|");
     boolean good = true;
-    for (Scene scene : read(folder.resolve("scenes.yaml")).scenes()) {
+    for (Scene scene : Scenes.read(folder.resolve("scenes.yaml"))) {
       good &= compare(scene, povray, out);
     }
     System.out.println("\nimages: " + out);
     System.exit(good ? 0 : 1);
   }
 
-  private static SceneFile read(Path file) throws IOException {
-    try (InputStream in = Files.newInputStream(file)) {
-      SceneFile scenes =
-          SceneFiles.read(in, file.toString(), path -> InputStream.nullInputStream());
-      if (!scenes.problems().isEmpty()) {
-        throw new IOException(scenes.problems().get(0).toString());
-      }
-      return scenes;
-    }
-  }
-
   private static boolean compare(Scene scene, Povray povray, Path out) throws IOException {
-    RenderResult result = render(scene);
+    RenderResult result = Scenes.render(scene);
     Image glint = result.image();
     Image theirs = povray.render(scene.name(), scene.width(), scene.height(), 0);
     Image ruled = povray.render(scene.name(), scene.width(), scene.height(), 1);
@@ -120,13 +100,6 @@ public final class PovrayTable {
     return a.rgb()[at] != b.rgb()[at]
         || a.rgb()[at + 1] != b.rgb()[at + 1]
         || a.rgb()[at + 2] != b.rgb()[at + 2];
-  }
-
-  private static RenderResult render(Scene scene) {
-    RenderSettings settings =
-        new RenderSettings(
-            scene.width(), scene.height(), 1, 0, OptionalInt.empty(), 1, 32, Set.of());
-    return new Renderer(Prepared.of(scene), settings).render(Progress.NONE);
   }
 
   /** Glint and POV-Ray; the differences from POV-Ray as it is, and with Glint's laws. */
