@@ -21,6 +21,8 @@ public final class Mesh implements Surface {
   /** Unit normals, at three corners of a triangle or at none. */
   private final CornerValues normals;
 
+  private final MeshParts parts;
+
   /**
    * Makes a mesh that takes over the two arrays: nobody may change them any more.
    *
@@ -46,12 +48,34 @@ public final class Mesh implements Surface {
     this.points = points;
     this.corners = corners;
     normals = CornerValues.NONE;
+    parts = MeshParts.ONE;
   }
 
-  private Mesh(Mesh other, CornerValues normals) {
+  private Mesh(Mesh other, CornerValues normals, MeshParts parts) {
     points = other.points;
     corners = other.corners;
     this.normals = normals;
+    this.parts = parts;
+  }
+
+  /**
+   * Returns this mesh in parts, which may be of different materials.
+   *
+   * @param starts the first triangle of each run of triangles of one part: 0, and then higher ones
+   * @param partOf the part of each run; parts have numbers from 0
+   */
+  public Mesh inParts(int[] starts, int[] partOf) {
+    return new Mesh(this, normals, new MeshParts(starts.clone(), partOf.clone()));
+  }
+
+  /** Returns the number of parts, at least 1. */
+  public int parts() {
+    return parts.count();
+  }
+
+  /** Returns the part, from 0, of a triangle. */
+  public int part(int triangle) {
+    return parts.of(triangle);
   }
 
   /**
@@ -69,7 +93,7 @@ public final class Mesh implements Surface {
     if (groups.length != triangles()) {
       throw new IllegalArgumentException("every triangle needs a smoothing group, or 0");
     }
-    return new Mesh(this, new NormalFinder(points, corners, given).byGroup(groups));
+    return new Mesh(this, new NormalFinder(points, corners, given).byGroup(groups), parts);
   }
 
   /**
@@ -77,7 +101,7 @@ public final class Mesh implements Surface {
    * meet there at less than an angle share them at its ends.
    */
   public Mesh smoothed(double degrees) {
-    return new Mesh(this, new NormalFinder(points, corners, normals).byAngle(degrees));
+    return new Mesh(this, new NormalFinder(points, corners, normals).byAngle(degrees), parts);
   }
 
   private void requireFit(CornerValues values) {

@@ -239,6 +239,16 @@ public final class Primitives {
 
     /** Adds a surface, carried into the world by {@code toWorld}, under a surface number. */
     public void add(Surface shape, Transform toWorld, int number) {
+      add(shape, toWorld, number, false);
+    }
+
+    /**
+     * Adds a surface, carried into the world by {@code toWorld}.
+     *
+     * @param number the surface's
+     * @param inParts whether each part of a mesh has a number of its own, in order from this one
+     */
+    public void add(Surface shape, Transform toWorld, int number, boolean inParts) {
       if (shape instanceof Sphere s) {
         addSphere(s, toWorld, number);
       } else if (shape instanceof Triangle t) {
@@ -257,7 +267,7 @@ public final class Primitives {
       } else if (shape instanceof Cylinder c) {
         addCylinder(c, toWorld, number);
       } else if (shape instanceof Mesh m) {
-        addMesh(m, toWorld, number);
+        addMesh(m, toWorld, number, inParts);
       }
     }
 
@@ -326,9 +336,10 @@ public final class Primitives {
     }
 
     /** Adds every triangle; one whose corners a mirroring has turned over is reversed. */
-    private void addMesh(Mesh m, Transform toWorld, int number) {
-      firstNumber = Arrays.copyOf(firstNumber, Math.max(firstNumber.length, number + 1));
-      firstNumber[number] = next;
+    private void addMesh(Mesh m, Transform toWorld, int number, boolean inParts) {
+      int end = number + (inParts ? m.parts() : 1);
+      firstNumber = Arrays.copyOf(firstNumber, Math.max(firstNumber.length, end));
+      Arrays.fill(firstNumber, number, end, next);
       reserve(count + m.triangles(), used + (long) TriangleKernel.SIZE * m.triangles());
       int k = toWorld.mirrors() ? REVERSED_TRIANGLE : TRIANGLE;
       double[] nine = new double[TriangleKernel.SIZE];
@@ -344,7 +355,7 @@ public final class Primitives {
                 rows[row] * x + rows[row + 1] * y + rows[row + 2] * z + rows[row + 3];
           }
         }
-        put(k, nine, number);
+        put(k, nine, inParts ? number + m.part(i) : number);
       }
     }
 

@@ -10,6 +10,7 @@ import glint.math.Quaternion;
 import glint.math.Transform;
 import glint.math.Vector3d;
 import glint.optics.Material;
+import glint.scene.NamedMaterial;
 import glint.scene.Placement;
 import glint.scene.Scene;
 import java.util.ArrayDeque;
@@ -207,6 +208,7 @@ final class Cs315Reader {
   }
 
   private void place(Surface surface, Cs315Line line) {
-    placements.add(new Placement(surface, matrix, material, "", line.line()));
+    placements.add(
+        new Placement(surface, matrix, List.of(new NamedMaterial("", material)), line.line()));
   }
 }

@@ -15,6 +15,7 @@ import glint.math.Check;
 import glint.math.Transform;
 import glint.math.Vector3d;
 import glint.optics.Material;
+import glint.scene.NamedMaterial;
 import glint.scene.Placement;
 import java.util.ArrayList;
 import java.util.Collections;
@@ -50,7 +51,8 @@ final class SurfaceReader {
     Transform toWorld = transforms.read(f);
     String name = f.get("material") instanceof Scalar named ? named.text() : "";
     int line = entry.key().place().line();
-    return f.build(() -> new Placement(surface, toWorld, material, name, line));
+    return f.build(
+        () -> new Placement(surface, toWorld, List.of(new NamedMaterial(name, material)), line));
   }
 
   private Surface shape(Section section, Fields f) {

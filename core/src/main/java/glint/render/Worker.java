@@ -94,7 +94,7 @@ final class Worker {
       Image target = aov.getValue();
       switch (aov.getKey()) {
         case DEPTH -> grey(target, x, y, hit.found() ? hit.t : Double.POSITIVE_INFINITY);
-        case ID -> grey(target, x, y, hit.found() ? hit.surface : -1);
+        case ID -> grey(target, x, y, hit.found() ? scene.place(hit.surface) : -1);
         case NORMAL -> {
           if (hit.found()) {
             double side = dx * hit.nx + dy * hit.ny + dz * hit.nz > 0 ? -1 : 1;

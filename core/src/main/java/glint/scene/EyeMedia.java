@@ -26,19 +26,27 @@ final class EyeMedia {
   private final Ray ray = new Ray();
   private final Ray local = new Ray();
 
-  /** The nearest places, by surface, where the ray goes in and where it comes out. */
+  /** The nearest places, by placement, where the ray goes in and where it comes out. */
   private final Map<Integer, Hit> entries = new TreeMap<>();
 
   private final Map<Integer, Hit> exits = new TreeMap<>();
 
+  /** For each placement, whether it is a body: closed, and with a medium behind some part. */
+  private final boolean[] isBody;
+
   private final Set<Integer> outside = new TreeSet<>();
 
-  /** The bodies around the point, and how near it is to leaving them. */
-  private final Map<Integer, Double> inside = new TreeMap<>();
+  /** The nearest ways out of the bodies around the point. */
+  private final Map<Integer, Hit> inside = new TreeMap<>();
 
   EyeMedia(Prepared scene, Primitives primitives) {
     this.scene = scene;
     this.primitives = primitives;
+    isBody = new boolean[scene.scene().placements().size()];
+    for (int surface = 0; surface < scene.surfaces(); surface++) {
+      isBody[scene.place(surface)] |=
+          scene.mediumOf(surface) != Prepared.OUTSIDE && !scene.isOpen(surface);
+    }
   }
 
   /** Returns the media around a point, outermost first. */
@@ -51,9 +59,9 @@ final class EyeMedia {
       decide();
     }
     // Of two bodies, one in the other, the inner one is left first.
-    List<Integer> surfaces = new ArrayList<>(inside.keySet());
-    surfaces.sort(Comparator.comparing(inside::get).reversed());
-    return surfaces.stream().mapToInt(scene::mediumOf).toArray();
+    List<Hit> ways = new ArrayList<>(inside.values());
+    ways.sort(Comparator.comparing((Hit way) -> way.t).reversed());
+    return ways.stream().mapToInt(way -> scene.mediumOf(way.surface)).toArray();
   }
 
   private void look() {
@@ -61,23 +69,22 @@ final class EyeMedia {
     exits.clear();
     Hit hit = new Hit();
     for (int slot = 0; slot < primitives.count(); slot++) {
-      int surface = primitives.surface(slot);
-      boolean body = scene.mediumOf(surface) != Prepared.OUTSIDE && !scene.isOpen(surface);
-      if (body && !outside.contains(surface)) {
+      int place = scene.place(primitives.surface(slot));
+      if (isBody[place] && !outside.contains(place)) {
         hit.begin(Double.POSITIVE_INFINITY);
         primitives.intersect(slot, ray, hit, local);
         if (hit.found() && hit.crossing != 0) {
-          keep(surface, hit, hit.crossing > 0 ? entries : exits);
+          keep(place, hit, hit.crossing > 0 ? entries : exits);
         }
       }
     }
   }
 
-  private static void keep(int surface, Hit hit, Map<Integer, Hit> nearest) {
-    Hit kept = nearest.get(surface);
+  private static void keep(int place, Hit hit, Map<Integer, Hit> nearest) {
+    Hit kept = nearest.get(place);
     if (kept == null) {
       kept = new Hit();
-      nearest.put(surface, kept);
+      nearest.put(place, kept);
     } else if (kept.t <= hit.t) {
       return;
     }
@@ -86,24 +93,24 @@ final class EyeMedia {
 
   private void decide() {
     exits.forEach(
-        (surface, exit) -> {
-          Hit entry = entries.get(surface);
-          if (entry == null || isBefore(exit, entry)) {
-            inside.merge(surface, exit.t, Math::min);
+        (place, exit) -> {
+          Hit entry = entries.get(place);
+          // An opaque part of a body does not tell what is in it
+          if (isBefore(exit, entry) && scene.mediumOf(exit.surface) != Prepared.OUTSIDE) {
+            inside.merge(place, exit, (a, b) -> a.t <= b.t ? a : b);
           }
         });
     entries.forEach(
-        (surface, entry) -> {
-          Hit exit = exits.get(surface);
-          if ((exit == null || isBefore(entry, exit)) && !inside.containsKey(surface)) {
-            outside.add(surface);
+        (place, entry) -> {
+          if (isBefore(entry, exits.get(place)) && !inside.containsKey(place)) {
+            outside.add(place);
           }
         });
   }
 
-  /** Returns whether a hit is nearer than another beyond all rounding. */
+  /** Returns whether a hit is nearer than another, if there is one, beyond all rounding. */
   private boolean isBefore(Hit hit, Hit other) {
     primitives.resolve(ray, hit, local);
-    return hit.t + hit.clearance(ray) < other.t;
+    return other == null || hit.t + hit.clearance(ray) < other.t;
   }
 }

@@ -1,36 +1,52 @@
 package glint.scene;
 
 import glint.geometry.Carried;
+import glint.geometry.Mesh;
 import glint.geometry.Surface;
 import glint.math.Transform;
 import glint.optics.Material;
+import java.util.List;
 import java.util.Objects;
+import java.util.function.Predicate;
 
 /**
  * A surface at its place in the world, made of a material; immutable.
  *
- * @param materialName what its file calls the material, or ""
+ * @param materials one for all of it, or one for each part of a mesh
  * @param line where in its file it is written, from 1, or 0
  */
 public record Placement(
-    Surface surface, Transform toWorld, Material material, String materialName, int line) {
+    Surface surface, Transform toWorld, List<NamedMaterial> materials, int line) {
 
   /** Checks that nothing is missing. */
   public Placement {
     Objects.requireNonNull(surface, "surface");
     Objects.requireNonNull(toWorld, "toWorld");
-    Objects.requireNonNull(material, "material");
-    Objects.requireNonNull(materialName, "materialName");
+    materials = List.copyOf(materials);
+    int parts = surface instanceof Mesh mesh ? mesh.parts() : 1;
+    if (materials.size() != 1 && materials.size() != parts) {
+      throw new IllegalArgumentException("one material for all parts, or one for each");
+    }
     Carried.check(surface, toWorld);
   }
 
   /** Places a surface that no file names. */
   public Placement(Surface surface, Transform toWorld, Material material) {
-    this(surface, toWorld, material, "", 0);
+    this(surface, toWorld, List.of(new NamedMaterial("", material)), 0);
   }
 
   /** Places a surface where its own coordinates say. */
   public static Placement of(Surface surface, Material material) {
     return new Placement(surface, Transform.IDENTITY, material);
+  }
+
+  /** Returns the material of a surface that has but one, or of a mesh's first part. */
+  public Material material() {
+    return materials.get(0).material();
+  }
+
+  /** Returns whether any of its materials is such. */
+  boolean any(Predicate<Material> which) {
+    return materials.stream().anyMatch(named -> which.test(named.material()));
   }
 }

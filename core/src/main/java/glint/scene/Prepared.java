@@ -29,6 +29,10 @@ public final class Prepared {
   private final Scene scene;
   private final RenderPlan plan;
   private final Illumination lights;
+
+  /** For each surface the number of its placement; one in parts has a surface for each. */
+  private final int[] place;
+
   private final Material[] materials;
 
   /** The different media of the scene, and for each surface the number of its own. */
@@ -36,7 +40,7 @@ public final class Prepared {
 
   private final int[] mediumOf;
 
-  /** For each transparent surface, whether it is a sheet. */
+  /** For each surface that lets light through, or a part of which does, whether it is a sheet. */
   private final boolean[] open;
 
   private final Primitives primitives;
@@ -54,12 +58,14 @@ public final class Prepared {
     this.scene = scene;
     this.lights = lights;
     this.plan = plan;
-    materials = scene.placements().stream().map(Placement::material).toArray(Material[]::new);
-    mediumOf = new int[materials.length];
-    open = new boolean[materials.length];
-    for (int i = 0; i < materials.length; i++) {
-      mediumOf[i] = mediumNumber(materials[i]);
-      open[i] = materials[i].isTransparent() && isSheet(scene.placements().get(i).surface());
+    int count = scene.placements().stream().mapToInt(p -> p.materials().size()).sum();
+    place = new int[count];
+    materials = new Material[count];
+    mediumOf = new int[count];
+    open = new boolean[count];
+    int first = 0;
+    for (int i = 0; i < scene.placements().size(); i++) {
+      first = number(i, first);
     }
     smooth = plan.smoothNormals().used();
     tree = plan.tree().used() ? Bvh.over(primitives) : null;
@@ -68,6 +74,21 @@ public final class Prepared {
     Vector3d eye = scene.camera().position();
     boolean media = plan.refraction().used();
     mediaAtEye = media ? new EyeMedia(this, this.primitives).around(eye) : new int[0];
+  }
+
+  /** Numbers the surfaces of a placement from the first on; returns the number after its last. */
+  private int number(int placement, int first) {
+    Placement p = scene.placements().get(placement);
+    boolean sheet = p.any(Material::isTransparent) && isSheet(p.surface());
+    int surface = first;
+    for (NamedMaterial named : p.materials()) {
+      place[surface] = placement;
+      materials[surface] = named.material();
+      mediumOf[surface] = mediumNumber(named.material());
+      open[surface] = sheet;
+      surface++;
+    }
+    return surface;
   }
 
   /** Flattens a scene and decides what it needs. */
@@ -84,9 +105,10 @@ public final class Prepared {
 
   private static Primitives flatten(Scene scene) {
     Primitives.Builder builder = new Primitives.Builder();
-    List<Placement> placements = scene.placements();
-    for (int i = 0; i < placements.size(); i++) {
-      builder.add(placements.get(i).surface(), placements.get(i).toWorld(), i);
+    int surface = 0;
+    for (Placement p : scene.placements()) {
+      builder.add(p.surface(), p.toWorld(), surface, p.materials().size() > 1);
+      surface += p.materials().size();
     }
     return builder.build();
   }
@@ -104,6 +126,25 @@ public final class Prepared {
   /** Returns the lights. */
   public Illumination lights() {
     return lights;
+  }
+
+  /** Returns how many surfaces there are. */
+  public int surfaces() {
+    return place.length;
+  }
+
+  /** Returns the number, in the scene, of the placement that a surface is, or is a part of. */
+  public int place(int surface) {
+    return place[surface];
+  }
+
+  /** Returns what the file calls the material of a surface, or "". */
+  public String materialName(int surface) {
+    int part = 0;
+    while (part < surface && place[surface - part - 1] == place[surface]) {
+      part++;
+    }
+    return scene.placements().get(place[surface]).materials().get(part).name();
   }
 
   /** Returns the material of a surface. */
@@ -156,7 +197,7 @@ public final class Prepared {
   public void face(Ray ray, Hit hit) {
     hit.face(ray);
     if (smooth) {
-      Placement met = scene.placements().get(hit.surface);
+      Placement met = scene.placements().get(place[hit.surface]);
       if (met.surface() instanceof Mesh mesh) {
         mesh.shade(primitives.triangle(hit), met.toWorld(), hit);
       }

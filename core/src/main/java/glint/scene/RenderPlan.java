@@ -4,6 +4,7 @@ import glint.geometry.Mesh;
 import glint.geometry.Primitives;
 import glint.light.Illumination;
 import glint.optics.Highlight;
+import glint.optics.Material;
 import java.util.List;
 import java.util.function.Predicate;
 
@@ -77,7 +78,7 @@ public record RenderPlan(
     if (lights.count() == 0) {
       return new Decision(feature, false, "no light but ambient light");
     }
-    int lit = count(scene, RenderPlan::answersLights);
+    int lit = count(scene, p -> p.any(RenderPlan::answersLights));
     if (lit == 0) {
       return new Decision(feature, false, "no surface is diffuse or has a highlight");
     }
@@ -93,7 +94,7 @@ public record RenderPlan(
     if (!light.used()) {
       return new Decision(feature, false, light.reason());
     }
-    boolean opaque = scene.placements().stream().noneMatch(p -> p.material().isTransparent());
+    boolean opaque = scene.placements().stream().noneMatch(p -> p.any(Material::isTransparent));
     String how =
         opaque
             ? "opaque surfaces only: any hit before the light ends the search"
@@ -104,7 +105,7 @@ public record RenderPlan(
   private static Decision highlights(Scene scene, Illumination lights) {
     String feature = "highlights";
     Decision light = directLight(scene, lights);
-    int shiny = count(scene, p -> !p.material().specular().isBlack());
+    int shiny = count(scene, p -> p.any(m -> !m.specular().isBlack()));
     if (!light.used() || shiny == 0) {
       String reason = light.used() ? "no material is specular" : light.reason();
       return new Decision(feature, false, reason);
@@ -115,7 +116,7 @@ public record RenderPlan(
 
   private static Decision mirrors(Scene scene) {
     String feature = "mirror rays";
-    int mirrors = count(scene, p -> !p.material().reflection().isBlack());
+    int mirrors = count(scene, p -> p.any(m -> !m.reflection().isBlack()));
     if (mirrors == 0) {
       return new Decision(feature, false, "no material reflects");
     }
@@ -124,7 +125,7 @@ public record RenderPlan(
 
   private static Decision refraction(Scene scene) {
     String feature = "refraction";
-    int transparent = count(scene, p -> p.material().isTransparent());
+    int transparent = count(scene, p -> p.any(Material::isTransparent));
     if (transparent == 0) {
       return new Decision(feature, false, "no material is transparent: no interior stack either");
     }
@@ -140,8 +141,8 @@ public record RenderPlan(
         "sky gradient", !constant, "the background is " + (constant ? "one colour" : "a gradient"));
   }
 
-  private static boolean answersLights(Placement p) {
-    return !p.material().diffuse().isBlack() || !p.material().specular().isBlack();
+  private static boolean answersLights(Material m) {
+    return !m.diffuse().isBlack() || !m.specular().isBlack();
   }
 
   private static int count(Scene scene, Predicate<Placement> which) {

@@ -50,7 +50,7 @@ public record RayTree(
   /**
    * What a ray meets at one place.
    *
-   * @param surface the number of the surface in the scene, from 0; of several, that whose material
+   * @param surface the number of the surface in the prepared scene; of several, that whose material
    *     counts
    * @param several whether surfaces coincide there
    * @param t the distance from the ray's origin

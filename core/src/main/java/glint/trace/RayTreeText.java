@@ -4,7 +4,7 @@ import glint.color.Rgb;
 import glint.math.Vector3d;
 import glint.optics.Medium;
 import glint.scene.Placement;
-import glint.scene.Scene;
+import glint.scene.Prepared;
 import glint.trace.RayTree.Boundary;
 import glint.trace.RayTree.Crossing;
 import glint.trace.RayTree.Cut;
@@ -33,16 +33,16 @@ public final class RayTreeText {
 
   private static final MathContext DIGITS = new MathContext(6);
 
-  private final Scene scene;
+  private final Prepared scene;
   private final List<String> lines = new ArrayList<>();
   private String indent = "";
 
-  private RayTreeText(Scene scene) {
+  private RayTreeText(Prepared scene) {
     this.scene = scene;
   }
 
   /** Returns what tells of a tree of a scene. */
-  public static List<String> of(Scene scene, RayTree tree) {
+  public static List<String> of(Prepared scene, RayTree tree) {
     RayTreeText text = new RayTreeText(scene);
     List<RayTree> rays = tree.rays();
     int[] depths = new int[rays.size() + 1];
@@ -101,7 +101,7 @@ public final class RayTreeText {
 
   private void light(Lighting l) {
     String name =
-        "light " + l.light() + " (" + word(scene.lights().get(l.light()).getClass()) + ")";
+        "light " + l.light() + " (" + word(scene.scene().lights().get(l.light()).getClass()) + ")";
     String cos = "cos " + number(l.cos());
     switch (l.fate()) {
       case LIT -> line(name + " is seen", cos, "adds " + color(l.added()));
@@ -133,11 +133,13 @@ public final class RayTreeText {
   }
 
   private String surface(int number) {
-    Placement p = scene.placements().get(number);
+    int place = scene.place(number);
+    Placement p = scene.scene().placements().get(place);
     String what = word(p.surface().getClass());
-    String name = p.materialName().isEmpty() ? "" : " of " + p.materialName();
+    String material = scene.materialName(number);
+    String name = material.isEmpty() ? "" : " of " + material;
     String line = p.line() == 0 ? "" : ", line " + p.line();
-    return "surface " + number + " (" + what + name + line + ")";
+    return "surface " + place + " (" + what + name + line + ")";
   }
 
   private static String medium(Medium m) {

@@ -17,6 +17,7 @@ import glint.optics.Highlight;
 import glint.optics.Material;
 import glint.scene.Background;
 import glint.scene.Camera;
+import glint.scene.NamedMaterial;
 import glint.scene.Perspective;
 import glint.scene.Placement;
 import glint.scene.Projection;
@@ -128,7 +129,8 @@ class Cs315Test {
   }
 
   private static Placement placed(Surface surface, Material material, int line) {
-    return new Placement(surface, Transform.IDENTITY, material, "", line);
+    return new Placement(
+        surface, Transform.IDENTITY, List.of(new NamedMaterial("", material)), line);
   }
 
   @Test

@@ -8,6 +8,7 @@ import glint.geometry.Plane;
 import glint.math.Transform;
 import glint.math.Vector3d;
 import glint.optics.Material;
+import glint.scene.NamedMaterial;
 import glint.scene.Perspective;
 import glint.scene.Placement;
 import glint.scene.Scene;
@@ -45,14 +46,16 @@ class SceneFormatDocTest {
         new Placement(
             new Plane(Vector3d.ZERO, new Vector3d(0, 1, 0)),
             Transform.IDENTITY,
-            new Material(
-                new Rgb(0.5, 0.35, 0),
-                new Rgb(0.5, 0.35, 0),
-                Rgb.grey(0.4),
-                20,
-                Rgb.grey(0.1),
-                Rgb.BLACK),
-            "gold",
+            List.of(
+                new NamedMaterial(
+                    "gold",
+                    new Material(
+                        new Rgb(0.5, 0.35, 0),
+                        new Rgb(0.5, 0.35, 0),
+                        Rgb.grey(0.4),
+                        20,
+                        Rgb.grey(0.1),
+                        Rgb.BLACK))),
             19),
         first.placements().get(1));
     Scene second = file.scenes().get(1);

@@ -16,6 +16,7 @@ import glint.optics.Material;
 import glint.optics.Medium;
 import glint.scene.Background;
 import glint.scene.Camera;
+import glint.scene.NamedMaterial;
 import glint.scene.Placement;
 import glint.scene.Prepared;
 import glint.scene.Projection;
@@ -51,7 +52,10 @@ class RecorderTest {
         .background(Background.constant(Rgb.grey(0.125)))
         .place(
             new Placement(
-                new Plane(Vector3d.ZERO, v(0, 1, 0)), Transform.IDENTITY, MATT, "matt", 12));
+                new Plane(Vector3d.ZERO, v(0, 1, 0)),
+                Transform.IDENTITY,
+                List.of(new NamedMaterial("matt", MATT)),
+                12));
   }
 
   private static RayTree trace(Scene scene, int depth, Vector3d from, Vector3d towards) {
@@ -220,6 +224,6 @@ class RecorderTest {
           no reflection: too deep, weight 0.25, at most 1.03125 is missing
         the ray gives (0.125, 0.125, 0.125)
         """,
-        String.join("\n", RayTreeText.of(lights(), tree)) + "\n");
+        String.join("\n", RayTreeText.of(Prepared.of(lights()), tree)) + "\n");
   }
 }

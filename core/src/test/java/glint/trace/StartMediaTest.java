@@ -11,11 +11,13 @@ import glint.geometry.Quad;
 import glint.geometry.Ray;
 import glint.geometry.Sphere;
 import glint.geometry.Surface;
+import glint.math.Transform;
 import glint.math.Vector3d;
 import glint.optics.Material;
 import glint.optics.Medium;
 import glint.scene.Background;
 import glint.scene.Camera;
+import glint.scene.NamedMaterial;
 import glint.scene.Orthographic;
 import glint.scene.Placement;
 import glint.scene.Prepared;
@@ -23,6 +25,7 @@ import glint.scene.Projection;
 import glint.scene.Scene;
 import glint.scene.View;
 import java.util.Arrays;
+import java.util.List;
 import org.junit.jupiter.api.Test;
 
 /** Which media a camera ray is in when it starts: relative error 1e-12. */
@@ -194,5 +197,26 @@ class StartMediaTest {
     assertFaded(1, seen(at(v(0.25, 0.25, 5), NARROW, 0), 1, 0, 0, stone));
     assertFaded(1.5, seen(at(v(0.25, 0, 5), NARROW, 0), 1, 0, 0, stone));
     assertFaded(2, seen(at(v(0, 0, 5), NARROW, 0), 1, 0, 0, stone));
+  }
+
+  @Test
+  void aBodyInPartsIsLeftByTheMediumOfThePart() {
+    Mesh half = octahedron().inParts(new int[] {0, 4}, new int[] {0, 1}); // above and below z = 0
+    Material smoke = medium(1, SIGMA, 0);
+    Placement both = parts(half, smoke, smoke);
+    assertFaded(0.5, seen(at(v(0.1, 0.2, -0.2), NARROW, 0), 1, 0, 0, both));
+    assertFaded(2 * 0.7, seen(at(v(0.1, 0.2, 5), NARROW, 0), 1, 0, 0, both));
+    // Only the upper part lets light out; who looks up from inside is in its smoke.
+    Camera up = Camera.of(v(0.1, 0.2, -0.2), v(0.1, 0.2, 9), v(0, 1, 0), NARROW);
+    assertFaded(0.9, seen(up, 1, 0, 0, parts(half, smoke, Material.WHITE)));
+    // Below it, where the opaque part hides the upper one, nobody is.
+    Camera below = Camera.of(v(0.1, 0.2, -2), v(0.1, 0.2, -9), v(0, 1, 0), NARROW);
+    assertFaded(0, seen(below, 1, 0, 0, parts(half, smoke, Material.WHITE)));
+  }
+
+  private static Placement parts(Mesh mesh, Material first, Material second) {
+    List<NamedMaterial> materials =
+        List.of(new NamedMaterial("", first), new NamedMaterial("", second));
+    return new Placement(mesh, Transform.IDENTITY, materials, 0);
   }
 }

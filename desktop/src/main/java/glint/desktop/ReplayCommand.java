@@ -93,9 +93,10 @@ final class ReplayCommand implements Callable<Integer> {
     RenderSettings settings = options.settings(scene);
     int samples = settings.samples();
     int only = sample == null ? 0 : Words.inRange(spec, "--sample", sample, 0, samples - 1);
+    Prepared prepared = Prepared.of(scene);
     Replay replay;
     try {
-      replay = new Replay(Prepared.of(scene), settings, pixel[0], pixel[1]);
+      replay = new Replay(prepared, settings, pixel[0], pixel[1]);
     } catch (BadValueException e) {
       throw Words.wrong(spec, "--" + e.getMessage());
     }
@@ -111,7 +112,7 @@ final class ReplayCommand implements Callable<Integer> {
         shown.x(),
         shown.y(),
         choice);
-    RayTreeText.of(scene, shown.tree()).forEach(out::println);
+    RayTreeText.of(prepared, shown.tree()).forEach(out::println);
   }
 
   private void printValue(Scene scene, RenderSettings settings, Replay replay, PrintWriter out) {
