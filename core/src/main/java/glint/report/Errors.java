@@ -21,14 +21,31 @@ public record Errors(double levels, double maxLevels, double linear, double maxL
    * @throws IllegalArgumentException if the sizes differ
    */
   public static Errors between(Image image, Image truth, Transfer transfer) {
-    if (image.width() != truth.width() || image.height() != truth.height()) {
-      throw new IllegalArgumentException("the images differ in size");
-    }
+    requireSameSize(image, truth);
     Sum sum = new Sum(transfer);
     for (int i = 0; i < image.rgb().length; i++) {
       sum.add(image.rgb()[i], truth.rgb()[i]);
     }
     return sum.errors();
+  }
+
+  /**
+   * Returns the error of every pixel, in row order: the root mean square over its channels, in
+   * display levels.
+   *
+   * @throws IllegalArgumentException if the sizes differ
+   */
+  public static double[] ofPixels(Image image, Image truth, Transfer transfer) {
+    requireSameSize(image, truth);
+    double[] errors = new double[image.width() * image.height()];
+    for (int i = 0; i < errors.length; i++) {
+      Sum sum = new Sum(transfer);
+      for (int channel = 0; channel < 3; channel++) {
+        sum.add(image.rgb()[3 * i + channel], truth.rgb()[3 * i + channel]);
+      }
+      errors[i] = sum.errors().levels();
+    }
+    return errors;
   }
 
   /** Returns the errors of several runs together: root mean squares, and the largest of all. */
@@ -45,6 +62,12 @@ public record Errors(double levels, double maxLevels, double linear, double maxL
     }
     return new Errors(
         Math.sqrt(levels / runs.size()), maxLevels, Math.sqrt(linear / runs.size()), maxLinear);
+  }
+
+  private static void requireSameSize(Image image, Image truth) {
+    if (image.width() != truth.width() || image.height() != truth.height()) {
+      throw new IllegalArgumentException("the images differ in size");
+    }
   }
 
   /** Gathers the differences of single values. */

@@ -36,6 +36,20 @@ class FiguresTest {
   }
 
   @Test
+  void everyPixelHasItsOwnError() {
+    Image truth = new Image(1, 2);
+    Image image = new Image(1, 2);
+    image.set(0, 1, 0.3, 0, 0.4);
+    double[] errors = Errors.ofPixels(image, truth, Transfer.LINEAR);
+    assertEquals(2, errors.length);
+    assertEquals(0, errors[0]);
+    assertEquals(255 * 0.5 / Math.sqrt(3), errors[1], 1e-12);
+    assertThrows(
+        IllegalArgumentException.class,
+        () -> Errors.ofPixels(image, new Image(2, 1), Transfer.SRGB));
+  }
+
+  @Test
   void runsAddUpInQuadrature() {
     Errors together = Errors.together(List.of(new Errors(3, 9, 0, 1), new Errors(4, 8, 2, 5)));
     assertEquals(new Errors(Math.sqrt(12.5), 9, Math.sqrt(2), 5), together);
