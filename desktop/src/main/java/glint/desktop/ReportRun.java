@@ -102,14 +102,15 @@ final class ReportRun {
 
   private static String outcome(Curve curve) {
     Measurement last = curve.points().get(curve.points().size() - 1);
-    String end = curve.complete() ? "" : "; the time limit ended it";
+    double levels = last.error().levels();
     return String.format(
         Locale.ROOT,
-        "error %.3g levels with %s, against %s%s",
-        last.error().levels(),
+        "%s with %s, against %s%s%s",
+        levels > Curve.NONE ? String.format(Locale.ROOT, "error %.3g levels", levels) : "no error",
         Figures.count(last.samples(), "sample"),
         curve.truth().origin(),
-        last.trusted() ? end : ", too coarse to tell" + end);
+        last.trusted() ? "" : ", too coarse to tell",
+        curve.complete() ? "" : "; the time limit ended it");
   }
 
   private void write(Map<String, String> files) throws RunException {

@@ -5,11 +5,12 @@ import glint.report.Measurement;
 import glint.report.Measurement.Cost;
 import glint.report.PowerLaw;
 import java.util.ArrayList;
+import java.util.DoubleSummaryStatistics;
 import java.util.List;
 import java.util.Locale;
+import java.util.Optional;
 import java.util.function.IntFunction;
 import java.util.function.ToDoubleFunction;
-import java.util.stream.DoubleStream;
 import java.util.stream.Stream;
 
 /** Draws error against cost as SVG: one small chart for each scene, all with the same axes. */
@@ -44,17 +45,23 @@ final class PanelChart {
     y = axis(entries, PanelChart::error, PanelChart::plain);
   }
 
-  /** Returns the chart of at least one scene. */
-  static String of(List<Report.Entry> entries, Cost cost) {
-    return new PanelChart(entries, cost).draw(entries);
+  /** Returns the chart of all scenes that have an error to draw; nothing if none has. */
+  static Optional<String> of(List<Report.Entry> entries, Cost cost) {
+    List<Report.Entry> shown = new ArrayList<>(entries);
+    shown.removeIf(entry -> drawn(entry.uniform()).findAny().isEmpty());
+    return shown.isEmpty()
+        ? Optional.empty()
+        : Optional.of(new PanelChart(shown, cost).draw(shown));
   }
 
   private static LogAxis axis(
       List<Report.Entry> entries, ToDoubleFunction<Measurement> value, IntFunction<String> words) {
-    double[] all =
-        entries.stream().flatMap(entry -> drawn(entry.uniform())).mapToDouble(value).toArray();
-    double least = DoubleStream.of(all).min().orElse(1);
-    return LogAxis.around(least, DoubleStream.of(all).max().orElse(1), words);
+    DoubleSummaryStatistics range =
+        entries.stream()
+            .flatMap(entry -> drawn(entry.uniform()))
+            .mapToDouble(value)
+            .summaryStatistics();
+    return LogAxis.around(range.getMin(), range.getMax(), words);
   }
 
   /** Returns the points that a logarithmic axis can show. */
@@ -116,11 +123,9 @@ final class PanelChart {
     grid();
     List<Measurement> points = new ArrayList<>();
     drawn(entry.uniform()).forEach(points::add);
-    if (!points.isEmpty()) {
-      Measurement first = points.get(0);
-      double factor = error(first) * Math.sqrt(first.cost(cost));
-      line(new PowerLaw(factor, -0.5), points, "#999", "1 3");
-    }
+    Measurement first = points.get(0);
+    double factor = error(first) * Math.sqrt(first.cost(cost));
+    line(new PowerLaw(factor, -0.5), points, "#999", "1 3");
     entry.uniform().trend(cost).ifPresent(trend -> line(trend.law(), points, "#d55e00", "5 3"));
     for (Measurement point : points) {
       dot(px(point.cost(cost)), py(error(point)), point.trusted());
@@ -128,9 +133,6 @@ final class PanelChart {
   }
 
   private String subtitle(Curve curve) {
-    if (drawn(curve).findAny().isEmpty()) {
-      return curve.truth().origin() + ", no error";
-    }
     String slope =
         curve
             .trend(cost)

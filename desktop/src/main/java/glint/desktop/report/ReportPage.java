@@ -83,12 +83,13 @@ final class ReportPage {
                 + " as all others. A single sample lies in the middle of its pixel. The slope is"
                 + " that of the line of least squares through the logarithms of error and rays,"
                 + " without the single sample, with its 95 % bootstrap interval over the runs:"
-                + " random samples would have -1/2."));
+                + " random samples would have -1/2. An error below a millionth of a level is"
+                + " rounding, written as 0 and not drawn."));
   }
 
   private void chart(Cost cost, String word, String caption) {
-    String svg = PanelChart.of(report.entries(), cost);
-    page.add(new Block.Figure(files + "-" + word + ".svg", caption, svg));
+    PanelChart.of(report.entries(), cost)
+        .ifPresent(svg -> page.add(new Block.Figure(files + "-" + word + ".svg", caption, svg)));
   }
 
   /** One row a scene: its error at every fourth power of two. */
