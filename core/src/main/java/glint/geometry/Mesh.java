@@ -22,6 +22,7 @@ public final class Mesh implements Surface {
   private final CornerValues normals;
 
   private final MeshParts parts;
+  private final CornerValues texture;
 
   /**
    * Makes a mesh that takes over the two arrays: nobody may change them any more.
@@ -48,13 +49,15 @@ public final class Mesh implements Surface {
     this.points = points;
     this.corners = corners;
     normals = CornerValues.NONE;
+    texture = CornerValues.NONE;
     parts = MeshParts.ONE;
   }
 
-  private Mesh(Mesh other, CornerValues normals, MeshParts parts) {
+  private Mesh(Mesh other, CornerValues normals, CornerValues texture, MeshParts parts) {
     points = other.points;
     corners = other.corners;
     this.normals = normals;
+    this.texture = texture;
     this.parts = parts;
   }
 
@@ -65,7 +68,7 @@ public final class Mesh implements Surface {
    * @param partOf the part of each run; parts have numbers from 0
    */
   public Mesh inParts(int[] starts, int[] partOf) {
-    return new Mesh(this, normals, new MeshParts(starts.clone(), partOf.clone()));
+    return new Mesh(this, normals, texture, new MeshParts(starts.clone(), partOf.clone()));
   }
 
   /** Returns the number of parts, at least 1. */
@@ -86,28 +89,45 @@ public final class Mesh implements Surface {
    * flat.
    *
    * @param given normals of any length; one of length zero is none
-   * @param groups the smoothing group of each triangle, 0 for none
+   * @param groups the smoothing group of each triangle, 0 for none; empty if none has one
    */
   public Mesh withNormals(CornerValues given, int[] groups) {
     requireFit(given);
-    if (groups.length != triangles()) {
+    if (groups.length != triangles() && groups.length > 0) {
       throw new IllegalArgumentException("every triangle needs a smoothing group, or 0");
     }
-    return new Mesh(this, new NormalFinder(points, corners, given).byGroup(groups), parts);
+    return new Mesh(this, new NormalFinder(points, corners, given).byGroup(groups), texture, parts);
+  }
+
+  /** Returns this mesh with pairs (u, v) at its corners, by which a picture is laid on it. */
+  public Mesh withTexture(CornerValues pairs) {
+    requireFit(pairs);
+    return new Mesh(this, normals, pairs, parts);
   }
 
   /**
    * Returns this mesh with normals where it has none: triangles that have an edge in common and
-   * meet there at less than an angle share them at its ends.
+   * meet there at less than an angle, 0 to 180 degrees, share them at its ends.
    */
   public Mesh smoothed(double degrees) {
-    return new Mesh(this, new NormalFinder(points, corners, normals).byAngle(degrees), parts);
+    return new Mesh(
+        this, new NormalFinder(points, corners, normals).byAngle(degrees), texture, parts);
   }
 
   private void requireFit(CornerValues values) {
     if (!values.isEmpty() && values.corners() != corners.length) {
       throw new IllegalArgumentException("every corner needs a value, or -1");
     }
+  }
+
+  /** Returns the unit normals of corners: of a triangle's three, or of none. */
+  CornerValues normals() {
+    return normals;
+  }
+
+  /** Returns the pairs (u, v) of corners. */
+  CornerValues texture() {
+    return texture;
   }
 
   /** Returns whether any triangle has normals at its corners. */

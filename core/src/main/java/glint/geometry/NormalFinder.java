@@ -60,27 +60,41 @@ final class NormalFinder {
   }
 
   private CornerValues find(int[] groups, double cos) {
-    int[] places = Places.of(points);
-    int[] starts = new int[places.length + 1];
+    int[] wanted = new int[indices.length];
+    int count = 0;
     for (int i = 0; i < indices.length; i++) {
-      starts[places[corners[i]] + 1] += isWanted(i, groups) ? 1 : 0;
-    }
-    for (int i = 0; i < places.length; i++) {
-      starts[i + 1] += starts[i];
-    }
-    int[] wanted = new int[starts[places.length]];
-    for (int i = indices.length - 1; i >= 0; i--) {
-      if (isWanted(i, groups)) {
-        wanted[--starts[places[corners[i]] + 1]] = i;
+      if (indices[i] < 0 && (groups == null || groups.length > 0 && groups[i / 3] != 0)) {
+        wanted[count++] = i;
       }
     }
-    // Now the corners of a place begin where those of the one before it began.
+    if (count > 0) {
+      findFans(Arrays.copyOf(wanted, count), groups, cos);
+    }
+    completeTriangles();
+    return isFlat()
+        ? CornerValues.NONE
+        : new CornerValues(3, Arrays.copyOf(normals, used), indices);
+  }
+
+  private void findFans(int[] wanted, int[] groups, double cos) {
+    int[] places = Places.of(points);
+    // Sort the corners by place: the ends of places, from which they are counted down.
+    int[] starts = new int[places.length + 1];
+    for (int corner : wanted) {
+      starts[places[corners[corner]]]++;
+    }
+    for (int i = 1; i < starts.length; i++) {
+      starts[i] += starts[i - 1];
+    }
+    int[] sorted = new int[wanted.length];
+    for (int i = wanted.length - 1; i >= 0; i--) {
+      sorted[--starts[places[corners[wanted[i]]]]] = wanted[i];
+    }
     Fan fan = new Fan(points, corners, places);
-    for (int i = 1; i <= places.length; i++) {
-      int end = i < places.length ? starts[i + 1] : wanted.length;
+    for (int place = 0; place < places.length; place++) {
       fan.clear();
-      for (int k = starts[i]; k < end; k++) {
-        fan.add(wanted[k]);
+      for (int k = starts[place]; k < starts[place + 1]; k++) {
+        fan.add(sorted[k]);
       }
       if (groups == null) {
         fan.shareByAngle(cos);
@@ -89,14 +103,6 @@ final class NormalFinder {
       }
       take(fan);
     }
-    completeTriangles();
-    return isFlat()
-        ? CornerValues.NONE
-        : new CornerValues(3, Arrays.copyOf(normals, used), indices);
-  }
-
-  private boolean isWanted(int corner, int[] groups) {
-    return indices[corner] < 0 && (groups == null || groups[corner / 3] != 0);
   }
 
   /** Makes a normal for every class of several corners. */

@@ -9,20 +9,23 @@ final class BadObj extends RuntimeException {
 
   private final transient Place place;
   private final boolean hopeless;
+  private final boolean notFinite;
 
   BadObj(Place place, String message) {
-    this(place, message, false);
+    this(place, message, false, false);
   }
 
-  private BadObj(Place place, String message, boolean hopeless) {
+  private BadObj(Place place, String message, boolean hopeless, boolean notFinite) {
     super(message, null, false, false);
     this.place = place;
     this.hopeless = hopeless;
+    this.notFinite = notFinite;
   }
 
   static BadObj noText(Place place, byte code) {
     String hex = String.format(Locale.ROOT, "0x%02X", code);
-    return new BadObj(place, "holds a control character (" + hex + "): not a text file?", true);
+    return new BadObj(
+        place, "holds a control character (" + hex + "): not a text file?", true, false);
   }
 
   static BadObj tooLong(Place place) {
@@ -33,7 +36,7 @@ final class BadObj extends RuntimeException {
     String quoted = SourceText.quote(word);
     String lower = word.toLowerCase(Locale.ROOT);
     if (lower.matches("[-+]?(1\\.#)?(nan|inf|ind|qnan|snan).*")) {
-      return new BadObj(place, "not a finite number: " + quoted);
+      return new BadObj(place, "not a finite number: " + quoted, false, true);
     }
     String remedy = word.contains(",") ? "; fractions follow a point" : "";
     return new BadObj(place, "expected a number, but found " + quoted + remedy);
@@ -54,14 +57,20 @@ final class BadObj extends RuntimeException {
     return new BadObj(place, "no model has as many points as " + SourceText.quote(word) + " needs");
   }
 
-  static BadObj noPoint(Place place, int index, int count) {
-    String there = count == 1 ? "there is 1 point" : "there are " + count + " points";
+  /** There is no point, or what the noun says, of that number. */
+  static BadObj none(Place place, String noun, int index, int count) {
+    String there = count == 1 ? "there is 1 " + noun : "there are " + count + " " + noun + "s";
     String where = index < 0 ? " before this" : " in the model";
-    return new BadObj(place, "no point " + index + ": " + there + where);
+    return new BadObj(place, "no " + noun + " " + index + ": " + there + where);
   }
 
   Place place() {
     return place;
+  }
+
+  /** Returns whether NaN or an infinity stands where a number should. */
+  boolean isNotFinite() {
+    return notFinite;
   }
 
   /** Returns whether there is no use in reading on. */

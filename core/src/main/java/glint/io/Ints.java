@@ -22,6 +22,13 @@ final class Ints {
     blocks[size++ >> SHIFT][inBlock] = v;
   }
 
+  /** Adds one number as often as it takes to have so many. */
+  void fill(int most, int v) {
+    while (size < most) {
+      add(v);
+    }
+  }
+
   private void addBlock() {
     int count = size >> SHIFT;
     if (size == Integer.MAX_VALUE - BLOCK + 1) {

@@ -1,6 +1,7 @@
 package glint.io;
 
 import glint.geometry.Mesh;
+import glint.math.Check;
 import java.io.IOException;
 import java.io.InputStream;
 import java.util.ArrayList;
@@ -18,16 +19,40 @@ final class Models {
   /** By path; null where there is none or it has problems. */
   private final Map<String, Mesh> meshes = new HashMap<>();
 
+  /** What was asked to be smooth, by path and degrees. */
+  private final Map<Smoothed, Mesh> smoothed = new HashMap<>();
+
   private final List<Problem> problems = new ArrayList<>();
   private final List<Problem> notes = new ArrayList<>();
+
+  private record Smoothed(String path, double degrees) {}
 
   Models(SceneFolder folder, Values values) {
     this.folder = folder;
     this.values = values;
   }
 
-  /** Returns the mesh of the model that a node names, or null with problems reported. */
-  Mesh mesh(YamlNode file) {
+  /**
+   * Returns the mesh of the model that a node names, or null with problems reported.
+   *
+   * @param smooth the angle in degrees below which its faces share normals, or null
+   */
+  Mesh mesh(YamlNode file, YamlNode smooth) {
+    Double degrees = smooth == null ? null : values.checkedNumber(smooth, Models::angle);
+    Mesh mesh = mesh(file);
+    if (degrees == null || mesh == null) {
+      return mesh;
+    }
+    Smoothed key = new Smoothed(values.text(file), degrees);
+    return smoothed.computeIfAbsent(key, any -> mesh.smoothed(degrees));
+  }
+
+  private static double angle(double degrees) {
+    Check.range("smooth", degrees, 0, 180);
+    return degrees;
+  }
+
+  private Mesh mesh(YamlNode file) {
     long before = values.problems().reports();
     String path = file == null ? "" : values.text(file);
     if (file == null || values.problems().reports() != before) {

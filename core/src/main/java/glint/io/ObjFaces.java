@@ -9,6 +9,16 @@ final class ObjFaces {
   /** The most corners of one face. */
   static final int MOST_CORNERS = 1 << 26;
 
+  private static final String POINT = "point";
+  private static final String TEXTURE = "texture point";
+  private static final String NORMAL = "normal";
+
+  /** How many numbers a corner has besides that of its point. */
+  private static final int DETAILS = 4;
+
+  /** How many numbers precede the corners of a deferred face. */
+  private static final int HEAD = 4;
+
   private final ObjGeometry geometry;
   private final Triangulator triangulator = new Triangulator();
 
@@ -18,19 +28,23 @@ final class ObjFaces {
   private final ObjNote crossed =
       new ObjNote("the edges of a face cross each other: its triangles may overlap");
 
+  private final ObjNote stripped =
+      new ObjNote("a corner names a texture point or normal, but the model has none");
+
   private int line;
   private int column;
+  private int group;
 
   /** The numbers of the points, from 0, of the face that is being read. */
   private int[] polygon = new int[16];
 
-  /** Line and column of each of its corners. */
-  private int[] places = new int[32];
+  /** Line, column, texture point and normal of each of its corners, these from 0, or -1. */
+  private int[] details = new int[DETAILS * 16];
 
   private int size;
   private boolean ahead;
 
-  /** Faces that name points still to come: size, line, column, and three numbers a corner. */
+  /** Faces that name what is still to come: size, line, column, group, and then their corners. */
   private final Ints deferred = new Ints();
 
   /** The coordinates of the corners of a face that is divided. */
@@ -38,6 +52,11 @@ final class ObjFaces {
 
   ObjFaces(ObjGeometry geometry) {
     this.geometry = geometry;
+  }
+
+  /** Puts the faces from here on into a smoothing group, or into none: 0. */
+  void smooth(int newGroup) {
+    group = newGroup;
   }
 
   /** Begins a face whose statement stands there. */
@@ -49,28 +68,36 @@ final class ObjFaces {
   }
 
   /**
-   * Adds a corner to the face.
+   * Adds a corner to the face; indices count from 1, or from -1 backwards.
    *
-   * @param index from 1, or from -1 backwards
-   * @throws BadObj if it goes back too far
+   * @param texture 0 for none
+   * @param normal 0 for none
+   * @throws BadObj if one goes back too far
    */
-  void corner(int index, int atLine, int atColumn) {
-    int count = geometry.pointCount();
-    if (index < -count) {
-      throw BadObj.noPoint(new Place(atLine, atColumn), index, count);
-    }
+  void corner(int index, int texture, int normal, int atLine, int atColumn) {
     if (size == polygon.length) {
       if (size == MOST_CORNERS) {
         throw new BadObj(place(), "a face has up to " + MOST_CORNERS + " corners");
       }
       polygon = Arrays.copyOf(polygon, 2 * size);
-      places = Arrays.copyOf(places, 4 * size);
+      details = Arrays.copyOf(details, 2 * DETAILS * size);
     }
-    polygon[size] = index > 0 ? index - 1 : count + index;
-    places[2 * size] = atLine;
-    places[2 * size + 1] = atColumn;
-    ahead |= polygon[size] >= count;
+    int at = DETAILS * size;
+    details[at] = atLine;
+    details[at + 1] = atColumn;
+    polygon[size] = number(POINT, index, geometry.pointCount());
+    details[at + 2] = texture == 0 ? -1 : number(TEXTURE, texture, geometry.textures.count());
+    details[at + 3] = normal == 0 ? -1 : number(NORMAL, normal, geometry.normals.count());
     size++;
+  }
+
+  /** Returns the number, from 0, that an index of the last corner is for. */
+  private int number(String noun, int index, int count) {
+    if (index < -count) {
+      throw BadObj.none(cornerPlace(size), noun, index, count);
+    }
+    ahead |= index > count;
+    return index > 0 ? index - 1 : count + index;
   }
 
   /**
@@ -82,7 +109,7 @@ final class ObjFaces {
     if (ahead) {
       defer();
     } else {
-      add();
+      add(group);
     }
   }
 
@@ -90,10 +117,12 @@ final class ObjFaces {
     deferred.add(size);
     deferred.add(line);
     deferred.add(column);
+    deferred.add(group);
     for (int i = 0; i < size; i++) {
       deferred.add(polygon[i]);
-      deferred.add(places[2 * i]);
-      deferred.add(places[2 * i + 1]);
+      for (int k = 0; k < DETAILS; k++) {
+        deferred.add(details[DETAILS * i + k]);
+      }
     }
   }
 
@@ -102,34 +131,62 @@ final class ObjFaces {
     int at = 0;
     while (at < deferred.size()) {
       begin(deferred.get(at + 1), deferred.get(at + 2));
-      int end = at + 3 + 3 * deferred.get(at);
-      try {
-        for (at += 3; at < end; at += 3) {
-          takeUp(deferred.get(at), deferred.get(at + 1), deferred.get(at + 2));
+      int itsGroup = deferred.get(at + 3);
+      size = deferred.get(at);
+      at += HEAD;
+      for (int i = 0; i < size; i++) {
+        polygon[i] = deferred.get(at++);
+        for (int k = 0; k < DETAILS; k++) {
+          details[DETAILS * i + k] = deferred.get(at++);
         }
-        add();
+      }
+      try {
+        requireAll();
+        add(itsGroup);
       } catch (BadObj e) {
         problems.report(e.place(), e.getMessage());
       }
-      at = end;
     }
     repeated.report(notes);
     lost.report(notes);
     crossed.report(notes);
+    stripped.report(notes);
   }
 
-  private void takeUp(int point, int atLine, int atColumn) {
-    if (point >= geometry.pointCount()) {
-      throw BadObj.noPoint(new Place(atLine, atColumn), point + 1, geometry.pointCount());
+  private void requireAll() {
+    for (int i = 0; i < size; i++) {
+      int at = DETAILS * i;
+      requireOne(i, POINT, polygon[i], geometry.pointCount());
+      details[at + 2] = detail(i, TEXTURE, details[at + 2], geometry.textures.count());
+      details[at + 3] = detail(i, NORMAL, details[at + 3], geometry.normals.count());
     }
-    corner(point + 1, atLine, atColumn);
+  }
+
+  /** Returns the number of what a corner has, or -1 where the whole model has none. */
+  private int detail(int corner, String noun, int number, int count) {
+    if (count == 0 && number >= 0) {
+      stripped.at(cornerPlace(corner));
+      return -1;
+    }
+    requireOne(corner, noun, number, count);
+    return number;
+  }
+
+  private void requireOne(int corner, String noun, int number, int count) {
+    if (number >= count) {
+      throw BadObj.none(cornerPlace(corner), noun, number + 1, count);
+    }
+  }
+
+  private Place cornerPlace(int corner) {
+    return new Place(details[DETAILS * corner], details[DETAILS * corner + 1]);
   }
 
   private Place place() {
     return new Place(line, column);
   }
 
-  private void add() {
+  private void add(int ofGroup) {
     if (geometry.hasFar()) {
       refuseFar();
     }
@@ -137,9 +194,9 @@ final class ObjFaces {
     if (size < 3) {
       lost.at(place());
     } else if (size == 3) {
-      geometry.triangle(polygon[0], polygon[1], polygon[2]);
+      triangle(0, 1, 2, ofGroup);
     } else {
-      divide();
+      divide(ofGroup);
     }
   }
 
@@ -147,8 +204,7 @@ final class ObjFaces {
     for (int i = 0; i < size; i++) {
       if (geometry.isFar(polygon[i])) {
         throw new BadObj(
-            new Place(places[2 * i], places[2 * i + 1]),
-            "coordinates reach 1e100, but those of this corner do not");
+            cornerPlace(i), "coordinates reach 1e100, but those of this corner do not");
       }
     }
   }
@@ -158,6 +214,7 @@ final class ObjFaces {
     int kept = 0;
     for (int i = 0; i < size; i++) {
       if (kept == 0 || polygon[i] != polygon[kept - 1]) {
+        System.arraycopy(details, DETAILS * i, details, DETAILS * kept, DETAILS);
         polygon[kept++] = polygon[i];
       }
     }
@@ -170,7 +227,7 @@ final class ObjFaces {
     size = kept;
   }
 
-  private void divide() {
+  private void divide(int ofGroup) {
     spots = spots.length < 3 * size ? new double[3 * polygon.length] : spots;
     for (int i = 0; i < 3 * size; i++) {
       spots[i] = geometry.coordinate(polygon[i / 3], i % 3);
@@ -183,9 +240,19 @@ final class ObjFaces {
       crossed.at(place());
     }
     for (int i = 0; i < 3 * (size - 2); i += 3) {
-      int a = polygon[triangulator.corner(i)];
-      int b = polygon[triangulator.corner(i + 1)];
-      geometry.triangle(a, b, polygon[triangulator.corner(i + 2)]);
+      int c = triangulator.corner(i + 2);
+      triangle(triangulator.corner(i), triangulator.corner(i + 1), c, ofGroup);
     }
+  }
+
+  /** Adds a triangle of three of the face's corners. */
+  private void triangle(int a, int b, int c, int ofGroup) {
+    int number = geometry.triangleCount();
+    geometry.triangle(polygon[a], polygon[b], polygon[c], ofGroup);
+    int first = DETAILS * a;
+    int second = DETAILS * b;
+    int third = DETAILS * c;
+    geometry.textures.triangle(number, details[first + 2], details[second + 2], details[third + 2]);
+    geometry.normals.triangle(number, details[first + 3], details[second + 3], details[third + 3]);
   }
 }

@@ -8,6 +8,13 @@ final class ObjGeometry {
 
   private final Doubles points = new Doubles();
   private final Ints corners = new Ints();
+
+  final ObjCorners normals = new ObjCorners(3);
+  final ObjCorners textures = new ObjCorners(2);
+
+  /** The smoothing group of each triangle, as far as there are any. */
+  private final Ints groups = new Ints();
+
   private boolean hasFar;
 
   void point(double x, double y, double z) {
@@ -17,7 +24,16 @@ final class ObjGeometry {
     hasFar |= Math.max(Math.abs(x), Math.max(Math.abs(y), Math.abs(z))) > Check.LARGEST;
   }
 
-  void triangle(int a, int b, int c) {
+  /**
+   * Adds a triangle.
+   *
+   * @param group its smoothing group, or 0
+   */
+  void triangle(int a, int b, int c, int group) {
+    if (group != 0) {
+      groups.fill(triangleCount(), 0);
+      groups.add(group);
+    }
     corners.add(a);
     corners.add(b);
     corners.add(c);
@@ -59,6 +75,12 @@ final class ObjGeometry {
         meshPoints[i] = Math.abs(meshPoints[i]) > Check.LARGEST ? 0 : meshPoints[i];
       }
     }
-    return new Mesh(meshPoints, corners.toArray());
+    if (groups.size() > 0) {
+      groups.fill(triangleCount(), 0);
+    }
+    int count = corners.size();
+    return new Mesh(meshPoints, corners.toArray())
+        .withTexture(textures.values(count))
+        .withNormals(normals.values(count), groups.toArray());
   }
 }

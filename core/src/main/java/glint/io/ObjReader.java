@@ -10,8 +10,9 @@ import java.util.Set;
  * Reads the polygons of Wavefront OBJ files (Wavefront, Advanced Visualizer Manual, appendix B1),
  * quirks of the wild included (docs/scene-format.md).
  *
- * <p>Points and faces are read; points and lines to be drawn, texture coordinates, normals, groups
- * and materials are known and passed over. One pass, and memory in proportion to the mesh.
+ * <p>Points, texture points, normals, smoothing groups and faces are read; points and lines to be
+ * drawn, other groups and materials are known and passed over. One pass, and memory in proportion
+ * to the mesh.
  */
 public final class ObjReader {
 
@@ -21,15 +22,12 @@ public final class ObjReader {
   /** What holds no geometry that a polygon mesh could lack. */
   private static final Set<String> PASSED_OVER =
       Set.of(
-          "vn",
-          "vt",
           "vp",
           "vw",
           "p",
           "l",
           "g",
           "o",
-          "s",
           "mg",
           "usemtl",
           "mtllib",
@@ -48,8 +46,10 @@ public final class ObjReader {
   private final Problems notes;
   private final ObjGeometry geometry = new ObjGeometry();
   private final ObjFaces faces = new ObjFaces(geometry);
-  private final double[] point = new double[3];
+  private final double[] numbers = new double[3];
   private ObjNote unknown;
+  private final ObjNote noNormal = new ObjNote("not a finite number: taken as no normal");
+  private final ObjNote noGroup = new ObjNote("neither a number nor off: no smoothing group");
 
   private ObjReader(InputStream in, String name) throws IOException {
     source = new ObjSource(in);
@@ -83,6 +83,8 @@ public final class ObjReader {
     if (unknown != null) {
       unknown.report(notes);
     }
+    noNormal.report(notes);
+    noGroup.report(notes);
     if (geometry.triangleCount() == 0) {
       notes.report(Place.NONE, "holds no faces");
     }
@@ -110,8 +112,12 @@ public final class ObjReader {
     int column = source.column();
     if (source.takes("v")) {
       readPoint();
-    } else if (source.takes("vn") || source.takes("vt")) {
-      return;
+    } else if (source.takes("vn")) {
+      readNormal();
+    } else if (source.takes("vt")) {
+      readTexturePoint();
+    } else if (source.takes("s")) {
+      readGroup();
     } else if (source.takes("f") || source.takes("fo")) {
       faces.begin(line, column);
       readFace();
@@ -122,21 +128,70 @@ public final class ObjReader {
 
   /** Reads a point; a weight or a colour after its coordinates is only checked to be numbers. */
   private void readPoint() throws IOException {
-    Arrays.fill(point, 0);
     try {
-      for (int i = 0; i < 3; i++) {
-        if (!source.hasToken()) {
-          throw new BadObj(source.place(), "a point needs three numbers, but has only " + i);
-        }
-        point[i] = source.number();
-      }
-      while (source.hasToken()) {
-        source.number();
-      }
+      readNumbers("a point", 3);
     } finally {
       // A bad one counts, so that the indices after it stay right
-      geometry.point(point[0], point[1], point[2]);
+      geometry.point(numbers[0], numbers[1], numbers[2]);
     }
+  }
+
+  /** Reads a normal; one that is no finite number, as of a face without area, is no normal. */
+  private void readNormal() throws IOException {
+    try {
+      readNumbers("a normal", 3);
+    } catch (BadObj e) {
+      if (!e.isNotFinite()) {
+        throw e;
+      }
+      noNormal.at(e.place());
+      Arrays.fill(numbers, 0);
+    } finally {
+      geometry.normals.add(numbers);
+    }
+  }
+
+  private void readTexturePoint() throws IOException {
+    try {
+      readNumbers("a texture point", 1);
+    } finally {
+      geometry.textures.add(numbers);
+    }
+  }
+
+  /** Reads three numbers, some of which must be there; the others are 0. Checks what follows. */
+  private void readNumbers(String what, int least) throws IOException {
+    Arrays.fill(numbers, 0);
+    for (int i = 0; source.hasToken() || i < least; i++) {
+      if (!source.hasToken()) {
+        String needs = least == 1 ? " needs a number" : " needs three numbers, but has only " + i;
+        throw new BadObj(source.place(), what + needs);
+      }
+      double v = source.number();
+      if (i < 3) {
+        numbers[i] = v;
+      }
+    }
+  }
+
+  private void readGroup() throws IOException {
+    int group = 0;
+    if (source.hasToken() && !source.takes("off")) {
+      Place place = source.place();
+      try {
+        double v = source.number();
+        group = (int) v;
+        if (group != v) {
+          noGroup.at(place);
+        }
+      } catch (BadObj e) {
+        if (e.hopeless()) {
+          throw e;
+        }
+        noGroup.at(place);
+      }
+    }
+    faces.smooth(group);
   }
 
   private void readFace() throws IOException {
@@ -144,7 +199,7 @@ public final class ObjReader {
       int line = source.line();
       int column = source.column();
       source.corner();
-      faces.corner(source.vertex(), line, column);
+      faces.corner(source.index(0), source.index(1), source.index(2), line, column);
     }
     faces.end();
   }

@@ -37,7 +37,7 @@ final class ObjSource {
   /** Where the line begins in the buffer, negative if that has left it. */
   private int lineStart;
 
-  private int vertex;
+  private final int[] corner = new int[3];
 
   /** Reads what it needs to know the encoding. */
   ObjSource(InputStream bytes) throws IOException {
@@ -224,6 +224,8 @@ final class ObjSource {
    */
   void corner() {
     int end = at;
+    corner[1] = 0;
+    corner[2] = 0;
     for (int part = 0; part < 3; part++) {
       int begin = end;
       long index = 0;
@@ -247,9 +249,7 @@ final class ObjSource {
       if (index == TOO_LARGE) {
         throw BadObj.noPoint(place(), word());
       }
-      if (part == 0) {
-        vertex = (int) (negative ? -index : index);
-      }
+      corner[part] = (int) (negative ? -index : index);
       if (isDelimiter(buffer[end])) {
         at = end;
         return;
@@ -262,9 +262,9 @@ final class ObjSource {
     throw BadObj.noCorner(place(), word());
   }
 
-  /** Returns the index {@code v} of the corner that was read last. */
-  int vertex() {
-    return vertex;
+  /** Returns the index {@code v}, {@code vt} or {@code vn} of the last corner; 0 for none. */
+  int index(int part) {
+    return corner[part];
   }
 
   private static boolean isBlank(byte c) {

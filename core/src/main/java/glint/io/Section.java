@@ -35,7 +35,7 @@ enum Section {
   PYRAMID("a pyramid", "apex base" + Section.PLACED, ""),
   CYLINDER("a cylinder", "base top radius top_radius capped" + Section.PLACED, ""),
   CONE("a cone", "base top radius top_radius capped" + Section.PLACED, ""),
-  MESH("a mesh", "file" + Section.PLACED, ""),
+  MESH("a mesh", "file smooth" + Section.PLACED, ""),
   STEP("a transform", "scale rotate translate", ""),
   ROTATION("a rotation", "axis degrees", ""),
   MATERIAL(

@@ -65,7 +65,7 @@ final class SurfaceReader {
       case PYRAMID -> pyramid(f);
       case CYLINDER -> cylinder(f, false);
       case CONE -> cylinder(f, true);
-      case MESH -> models.mesh(f.need("file"));
+      case MESH -> models.mesh(f.need("file"), f.get("smooth"));
       default -> throw new IllegalArgumentException(section + " is no surface");
     };
   }

@@ -22,6 +22,28 @@ public final class MeshFacts {
     return corners;
   }
 
+  /** Returns the three normals of a triangle, or none. */
+  public static List<Vector3d> normals(Mesh mesh, int triangle) {
+    List<Vector3d> normals = new ArrayList<>();
+    for (int i = 3 * triangle; i < 3 * triangle + 3; i++) {
+      if (mesh.normals().has(i)) {
+        CornerValues n = mesh.normals();
+        normals.add(new Vector3d(n.of(i, 0), n.of(i, 1), n.of(i, 2)));
+      }
+    }
+    return normals;
+  }
+
+  /** Returns the pairs (u, v) of a triangle's corners, "-" for one without. */
+  public static List<String> texture(Mesh mesh, int triangle) {
+    List<String> texture = new ArrayList<>();
+    for (int i = 3 * triangle; i < 3 * triangle + 3; i++) {
+      CornerValues t = mesh.texture();
+      texture.add(t.has(i) ? t.of(i, 0) + " " + t.of(i, 1) : "-");
+    }
+    return texture;
+  }
+
   /** Returns the sum of the areas of all triangles. */
   public static double area(Mesh mesh) {
     double area = 0;

@@ -82,6 +82,27 @@ class ModelsTest {
   }
 
   @Test
+  void aModelIsSmoothedOncePerAngleAndStillReadOnce() {
+    String surface = "      - mesh: {file: models/square.obj, smooth: ";
+    SceneFile file =
+        read(
+            "scenes:\n  a:\n"
+                + CAMERA
+                + surface
+                + "60}\n"
+                + surface
+                + "60.0}\n"
+                + surface
+                + "7}\n");
+    assertEquals(List.of(), file.problems());
+    assertEquals(List.of("models/square.obj"), opened);
+    List<Placement> a = file.scenes().get(0).placements();
+    assertSame(a.get(0).surface(), a.get(1).surface());
+    assertNotSame(a.get(0).surface(), a.get(2).surface());
+    assertTrue(((Mesh) a.get(0).surface()).isSmooth());
+  }
+
+  @Test
   void notesOfAModelAreToldOnceAndTheSceneIsComplete() {
     SceneFile file =
         read(

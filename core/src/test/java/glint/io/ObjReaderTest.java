@@ -224,8 +224,6 @@ class ObjReaderTest {
         s off
         usemtl none \\
           of these
-        vt 0 0
-        vn x y z
         vp 0
         p 1 2
         l 1/1 2/2
