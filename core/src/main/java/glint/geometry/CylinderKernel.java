@@ -212,6 +212,11 @@ final class CylinderKernel {
     }
   }
 
+  /** Returns whether a cap was hit. */
+  static boolean isCap(Hit hit) {
+    return hit.u != SIDE;
+  }
+
   /** Projects the point onto the part that was hit. */
   static void resolve(double[] data, int at, Ray ray, Hit hit) {
     double ax = data[at + 3];

@@ -139,6 +139,15 @@ public final class Primitives {
     }
   }
 
+  /** Returns whether what was hit is flat: a face, a plane or a cap. */
+  public boolean isFlat(Hit hit) {
+    return switch (kind(head[hit.slot]) % TRANSFORMED) {
+      case SPHERE -> false;
+      case CYLINDER -> CylinderKernel.isCap(hit);
+      default -> true;
+    };
+  }
+
   /** Fills in point, normal, surface and offset of a hit that was found with this ray. */
   public void resolve(Ray ray, Hit hit, Ray local) {
     int slot = hit.slot;

@@ -6,10 +6,12 @@ import glint.io.YamlNode.Mapping;
 import glint.io.YamlNode.Scalar;
 import glint.optics.Material;
 import glint.optics.Medium;
+import glint.optics.Texture;
 import java.util.ArrayList;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
 import java.util.function.Supplier;
 
 /** The materials that a file or a scene defines by name, read once each. */
@@ -117,6 +119,10 @@ final class MaterialReader {
     if (!f.has("transparency")) {
       f.noteIdle("has no effect without 'transparency'", "ior", "absorption", "priority");
     }
+    if (diffuse.isBlack() && ambient.isBlack()) {
+      f.noteIdle("has no effect where 'diffuse' and 'ambient' are 0", "texture");
+    }
+    Texture texture = f.has("texture") ? new TextureReader(values).read(f.get("texture")) : null;
     Supplier<Medium> interior = interior(f);
     return f.build(
         () ->
@@ -128,7 +134,8 @@ final class MaterialReader {
                 reflection,
                 emission,
                 transparency,
-                interior.get()));
+                interior.get(),
+                Optional.ofNullable(texture)));
   }
 
   /** Returns what makes the medium inside; it checks the values. */

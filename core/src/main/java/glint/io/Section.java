@@ -41,8 +41,11 @@ enum Section {
   MATERIAL(
       "a material",
       "color ambient diffuse specular shininess reflection emission"
-          + " transparency ior absorption priority",
-      "texture");
+          + " transparency ior absorption priority texture",
+      ""),
+  TEXTURE("a texture", "checker stripes", "image wood"),
+  CHECKER("a checker", "size colors", ""),
+  STRIPES("a pattern of stripes", "size colors", "");
 
   private static final String PLACED = " material scale rotate translate transform";
 

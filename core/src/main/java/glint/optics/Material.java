@@ -2,6 +2,7 @@ package glint.optics;
 
 import glint.color.Rgb;
 import glint.math.Check;
+import java.util.Optional;
 
 /**
  * How a surface answers light, after Whitted (1980) with Blinn's or Phong's highlight; immutable.
@@ -16,6 +17,7 @@ import glint.math.Check;
  * @param emission light that the surface gives by itself
  * @param transparency the share of the light that goes through or is reflected by Fresnel's law
  * @param interior what the surface encloses; matters where transparency is not black
+ * @param texture what multiplies ambient and diffuse, from place to place
  */
 public record Material(
     Rgb ambient,
@@ -25,7 +27,8 @@ public record Material(
     Rgb reflection,
     Rgb emission,
     Rgb transparency,
-    Medium interior) {
+    Medium interior,
+    Optional<Texture> texture) {
 
   /** Plain white diffuse, what a surface without a material is made of. */
   public static final Material WHITE =
@@ -42,10 +45,46 @@ public record Material(
     Check.range("shininess", shininess, 0, 1e9);
   }
 
-  /** Makes an opaque material. */
+  /** Makes a material of the same colour everywhere. */
+  public Material(
+      Rgb ambient,
+      Rgb diffuse,
+      Rgb specular,
+      double shininess,
+      Rgb reflection,
+      Rgb emission,
+      Rgb transparency,
+      Medium interior) {
+    this(
+        ambient,
+        diffuse,
+        specular,
+        shininess,
+        reflection,
+        emission,
+        transparency,
+        interior,
+        Optional.empty());
+  }
+
+  /** Makes an opaque material of the same colour everywhere. */
   public Material(
       Rgb ambient, Rgb diffuse, Rgb specular, double shininess, Rgb reflection, Rgb emission) {
     this(ambient, diffuse, specular, shininess, reflection, emission, Rgb.BLACK, Medium.VACUUM);
+  }
+
+  /** Returns the same material under a texture. */
+  public Material textured(Texture pattern) {
+    return new Material(
+        ambient,
+        diffuse,
+        specular,
+        shininess,
+        reflection,
+        emission,
+        transparency,
+        interior,
+        Optional.of(pattern));
   }
 
   /** Returns whether light goes through. */

@@ -1,9 +1,9 @@
 package glint.render;
 
+import glint.color.Rgb;
 import glint.geometry.Hit;
 import glint.geometry.Ray;
 import glint.image.Image;
-import glint.optics.Material;
 import glint.scene.Prepared;
 import glint.trace.RayCounts;
 import java.util.Map;
@@ -103,8 +103,14 @@ final class Worker {
         }
         case ALBEDO -> {
           if (hit.found()) {
-            Material m = scene.material(hit.surface);
-            target.set(x, y, m.diffuse().r(), m.diffuse().g(), m.diffuse().b());
+            Rgb diffuse = scene.material(hit.surface).diffuse();
+            Rgb pattern = scene.texture(hit.surface, hit);
+            target.set(
+                x,
+                y,
+                diffuse.r() * pattern.r(),
+                diffuse.g() * pattern.g(),
+                diffuse.b() * pattern.b());
           }
         }
       }

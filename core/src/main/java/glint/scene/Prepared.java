@@ -15,6 +15,7 @@ import glint.light.Illumination;
 import glint.math.Vector3d;
 import glint.optics.Material;
 import glint.optics.Medium;
+import glint.optics.Texture;
 import java.util.ArrayList;
 import java.util.List;
 
@@ -34,6 +35,9 @@ public final class Prepared {
   private final int[] place;
 
   private final Material[] materials;
+
+  /** The textures of the surfaces; null where there is none. */
+  private final TexturedSurface[] textures;
 
   /** The different media of the scene, and for each surface the number of its own. */
   private final List<Medium> media = new ArrayList<>();
@@ -61,6 +65,7 @@ public final class Prepared {
     int count = scene.placements().stream().mapToInt(p -> p.materials().size()).sum();
     place = new int[count];
     materials = new Material[count];
+    textures = new TexturedSurface[count];
     mediumOf = new int[count];
     open = new boolean[count];
     int first = 0;
@@ -84,6 +89,7 @@ public final class Prepared {
     for (NamedMaterial named : p.materials()) {
       place[surface] = placement;
       materials[surface] = named.material();
+      textures[surface] = TexturedSurface.of(p, named.material());
       mediumOf[surface] = mediumNumber(named.material());
       open[surface] = sheet;
       surface++;
@@ -150,6 +156,12 @@ public final class Prepared {
   /** Returns the material of a surface. */
   public Material material(int surface) {
     return materials[surface];
+  }
+
+  /** Returns what a surface's texture multiplies its colour by at a hit. */
+  public Rgb texture(int surface, Hit hit) {
+    TexturedSurface textured = textures[surface];
+    return textured == null ? Rgb.WHITE : textured.at(hit, primitives.isFlat(hit));
   }
 
   /**
@@ -234,8 +246,9 @@ public final class Prepared {
     double bound = Math.max(scene.background().down().max(), scene.background().up().max());
     Rgb light = lights.bound();
     for (Material m : materials) {
-      Rgb local = m.emission().plus(m.ambient().times(lights.ambient()));
-      Rgb answer = m.diffuse().plus(m.specular());
+      Rgb most = m.texture().map(Texture::most).orElse(Rgb.WHITE);
+      Rgb local = m.emission().plus(m.ambient().times(most).times(lights.ambient()));
+      Rgb answer = m.diffuse().times(most).plus(m.specular());
       double given = local.max() + (answer.isBlack() ? 0 : answer.max() * light.max());
       double passed = m.reflection().plus(m.transparency()).max();
       if (passed > 1 || (passed == 1 && given > 0)) {

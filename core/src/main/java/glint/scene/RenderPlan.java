@@ -18,6 +18,7 @@ public record RenderPlan(
     Decision smoothNormals,
     Decision directLight,
     Decision shadows,
+    Decision textures,
     Decision highlights,
     Decision mirrors,
     Decision refraction,
@@ -33,6 +34,7 @@ public record RenderPlan(
         smoothNormals(scene),
         directLight(scene, lights),
         shadows(scene, lights),
+        textures(scene),
         highlights(scene, lights),
         mirrors(scene),
         refraction(scene),
@@ -47,6 +49,7 @@ public record RenderPlan(
         new Decision("smooth normals", true, reason),
         new Decision("direct light", true, reason),
         new Decision("shadow rays", true, reason),
+        new Decision("textures", true, reason),
         new Decision("highlights", true, reason),
         new Decision("mirror rays", true, reason),
         new Decision("refraction", true, reason),
@@ -55,7 +58,8 @@ public record RenderPlan(
 
   /** Returns the decisions in the order in which a ray meets them. */
   public List<Decision> decisions() {
-    return List.of(tree, smoothNormals, directLight, shadows, highlights, mirrors, refraction, sky);
+    return List.of(
+        tree, smoothNormals, directLight, shadows, textures, highlights, mirrors, refraction, sky);
   }
 
   private static Decision tree(Primitives primitives) {
@@ -100,6 +104,13 @@ public record RenderPlan(
             ? "opaque surfaces only: any hit before the light ends the search"
             : "coloured: all transparent surfaces on the way to the light are walked through";
     return new Decision(feature, true, how);
+  }
+
+  private static Decision textures(Scene scene) {
+    int textured = count(scene, p -> p.any(m -> m.texture().isPresent()));
+    return textured == 0
+        ? new Decision("textures", false, "every material has one colour")
+        : new Decision("textures", true, "textured surfaces: " + textured);
   }
 
   private static Decision highlights(Scene scene, Illumination lights) {

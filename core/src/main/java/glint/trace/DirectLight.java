@@ -37,6 +37,9 @@ final class DirectLight {
   double g;
   double b;
 
+  /** What the surface's texture multiplies its colour by. */
+  private Rgb pattern = Rgb.WHITE;
+
   /** The share of the light that passes on the way to it, by channel. */
   private double passR;
 
@@ -57,16 +60,19 @@ final class DirectLight {
   /**
    * Finds what a surface gives towards a ray.
    *
+   * @param surface its number
    * @param hit where it is met, its normal facing the ray
    * @param around the media on the ray's side
    */
-  void find(Material material, Hit hit, Ray ray, Interior around) {
+  void find(int surface, Hit hit, Ray ray, Interior around) {
+    Material material = scene.material(surface);
+    pattern = plan.textures().used() ? scene.texture(surface, hit) : Rgb.WHITE;
     Rgb emission = material.emission();
     Rgb ambient = material.ambient();
     Rgb everywhere = lights.ambient();
-    r = emission.r() + ambient.r() * everywhere.r();
-    g = emission.g() + ambient.g() * everywhere.g();
-    b = emission.b() + ambient.b() * everywhere.b();
+    r = emission.r() + ambient.r() * pattern.r() * everywhere.r();
+    g = emission.g() + ambient.g() * pattern.g() * everywhere.g();
+    b = emission.b() + ambient.b() * pattern.b() * everywhere.b();
     if (recorder != null) {
       recorder.glows(r, g, b);
     }
@@ -98,9 +104,9 @@ final class DirectLight {
     Rgb specular = material.specular();
     boolean shiny = plan.highlights().used() && !specular.isBlack();
     double lobe = shiny ? highlight(hit, ray, cos, material.shininess()) : 0;
-    double addR = passR * (light.r * (diffuse.r() * cos + specular.r() * lobe));
-    double addG = passG * (light.g * (diffuse.g() * cos + specular.g() * lobe));
-    double addB = passB * (light.b * (diffuse.b() * cos + specular.b() * lobe));
+    double addR = passR * (light.r * (diffuse.r() * pattern.r() * cos + specular.r() * lobe));
+    double addG = passG * (light.g * (diffuse.g() * pattern.g() * cos + specular.g() * lobe));
+    double addB = passB * (light.b * (diffuse.b() * pattern.b() * cos + specular.b() * lobe));
     r += addR;
     g += addG;
     b += addB;

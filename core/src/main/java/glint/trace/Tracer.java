@@ -131,7 +131,7 @@ public final class Tracer {
         return;
       }
       Material material = scene.material(boundary.surface);
-      direct.find(material, hit, f.ray, f.interior);
+      direct.find(boundary.surface, hit, f.ray, f.interior);
       add(f, direct.r, direct.g, direct.b);
       if (boundary.opaque && !plan.mirrors().used()) {
         return;

@@ -12,10 +12,13 @@ import glint.geometry.Surface;
 import glint.geometry.Triangle;
 import glint.light.Light;
 import glint.math.BadValueException;
+import glint.math.Check;
 import glint.math.Transform;
 import glint.math.Vector3d;
+import glint.optics.Checker;
 import glint.optics.Highlight;
 import glint.optics.Material;
+import glint.optics.Stripes;
 import glint.scene.Background;
 import glint.scene.Camera;
 import glint.scene.Orthographic;
@@ -135,13 +138,20 @@ final class SceneDraw {
     }
     double greatest = bright ? BRIGHTEST : 1;
     double shininess = chance.of(0, 1, 32, 1e9, 1e9 * chance.unit(), Double.MIN_VALUE, 1000);
-    return new Material(
-        extremes.color(greatest),
-        extremes.color(greatest),
-        extremes.color(greatest),
-        shininess,
-        chance.oneIn(2) ? Rgb.BLACK : extremes.color(greatest),
-        chance.oneIn(2) ? Rgb.BLACK : extremes.color(greatest));
+    Material plain =
+        new Material(
+            extremes.color(greatest),
+            extremes.color(greatest),
+            extremes.color(greatest),
+            shininess,
+            chance.oneIn(2) ? Rgb.BLACK : extremes.color(greatest),
+            chance.oneIn(2) ? Rgb.BLACK : extremes.color(greatest));
+    double size = Math.min(Math.max(extremes.size(), Check.SMALLEST), Check.LARGEST);
+    return switch (chance.below(4)) {
+      case 0 -> plain.textured(new Checker(size, Rgb.BLACK, extremes.color(1)));
+      case 1 -> plain.textured(new Stripes(size, extremes.color(1), Rgb.WHITE));
+      default -> plain;
+    };
   }
 
   private Placement placement(Material material) {

@@ -18,9 +18,11 @@ import glint.geometry.Triangle;
 import glint.light.Light;
 import glint.math.Transform;
 import glint.math.Vector3d;
+import glint.optics.Checker;
 import glint.optics.Highlight;
 import glint.optics.Material;
 import glint.optics.Medium;
+import glint.optics.Stripes;
 import glint.scene.Background;
 import glint.scene.Camera;
 import glint.scene.Expectation;
@@ -198,7 +200,8 @@ class YamlScenesTest {
     assertEquals(
         new Material(black, black, black, 32, Rgb.grey(0.75), black), placements.get(1).material());
     assertEquals(
-        new Material(Rgb.WHITE, Rgb.WHITE, new Rgb(0, 0, 1), 32, black, black),
+        new Material(Rgb.WHITE, Rgb.WHITE, new Rgb(0, 0, 1), 32, black, black)
+            .textured(new Stripes(2, Rgb.WHITE, black)),
         placements.get(2).material());
     // A scene's own material hides the file's.
     assertEquals(
@@ -216,14 +219,15 @@ class YamlScenesTest {
         placements.get(6).material());
     assertEquals(
         new Material(
-            new Rgb(0.125, 0.25, 0),
-            new Rgb(0.5, 0.5, 0),
-            Rgb.grey(0.125),
-            64,
-            new Rgb(0, 0, 0.5),
-            Rgb.WHITE,
-            new Rgb(0.5, 0, 1),
-            new Medium(1.5, new Rgb(0, 0.25, 20), -3)),
+                new Rgb(0.125, 0.25, 0),
+                new Rgb(0.5, 0.5, 0),
+                Rgb.grey(0.125),
+                64,
+                new Rgb(0, 0, 0.5),
+                Rgb.WHITE,
+                new Rgb(0.5, 0, 1),
+                new Medium(1.5, new Rgb(0, 0.25, 20), -3))
+            .textured(new Checker(0.5, Rgb.grey(0.25), new Rgb(1, 0, 0))),
         scenes.get(1).placements().get(0).material());
   }
 

@@ -24,6 +24,7 @@ import glint.math.Transform;
 import glint.math.Vector3d;
 import glint.optics.Material;
 import glint.optics.Medium;
+import glint.optics.Stripes;
 import glint.scene.Background;
 import glint.scene.Camera;
 import glint.scene.Placement;
@@ -102,7 +103,13 @@ class RendererTest {
     Scene.Builder scene() {
       Material mirror =
           new Material(
-              Rgb.grey(0.1), new Rgb(0.2, 0.3, 0.4), Rgb.grey(0.5), 40, Rgb.grey(0.6), Rgb.BLACK);
+                  Rgb.grey(0.1),
+                  new Rgb(0.2, 0.3, 0.4),
+                  Rgb.grey(0.5),
+                  40,
+                  Rgb.grey(0.6),
+                  Rgb.BLACK)
+              .textured(new Stripes(0.3 * scale, Rgb.WHITE, new Rgb(0.2, 0.5, 0.7)));
       Scene.Builder scene =
           new Scene.Builder("world")
               .camera(Camera.of(v(0.5, 1.5, 8), v(0.1, 0.2, 0.3), d(0, 1, 0), lens()))

@@ -1,0 +1,34 @@
+package glint.optics;
+
+import glint.color.Rgb;
+import glint.math.Check;
+
+/**
+ * Cubes, or on flat parts squares, of two colours in turn; immutable.
+ *
+ * @param size the edge of a cell in scene units; cells begin at the origin
+ * @param a the colour of the cell at the origin, where all coordinates are positive
+ * @param b the colour of its neighbours
+ */
+public record Checker(double size, Rgb a, Rgb b) implements Texture {
+
+  /** Checks size and colours. */
+  public Checker {
+    Check.positive("size", size);
+    a.requireLight("colors");
+    b.requireLight("colors");
+  }
+
+  @Override
+  public Rgb at(double x, double y, double z, int flat) {
+    boolean odd = flat != 0 && Texture.isOdd(x, size);
+    odd ^= flat != 1 && Texture.isOdd(y, size);
+    odd ^= flat != 2 && Texture.isOdd(z, size);
+    return odd ? b : a;
+  }
+
+  @Override
+  public Rgb most() {
+    return Texture.most(a, b);
+  }
+}
