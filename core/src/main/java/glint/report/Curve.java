@@ -21,6 +21,9 @@ public record Curve(Truth truth, List<Measurement> points, double truncation, bo
   /** The fewest points that tell a line from an accident. */
   private static final int FEWEST = 3;
 
+  /** How many times as much as the first point the last must cost at least to tell a slope. */
+  private static final double SPAN = 3;
+
   /**
    * The line through the points.
    *
@@ -32,7 +35,7 @@ public record Curve(Truth truth, List<Measurement> points, double truncation, bo
    * Fits error against cost. A single sample is left out, as it lies in the middle of its pixel
    * whatever the seed, and so are points without an error or a truth to trust.
    *
-   * @return nothing if fewer than three points remain
+   * @return nothing if fewer than three points remain, or they cost about the same
    */
   public Optional<Trend> trend(Cost cost) {
     List<Measurement> used = new ArrayList<>();
@@ -41,7 +44,8 @@ public record Curve(Truth truth, List<Measurement> points, double truncation, bo
         used.add(point);
       }
     }
-    if (used.size() < FEWEST) {
+    if (used.size() < FEWEST
+        || used.get(used.size() - 1).cost(cost) < SPAN * used.get(0).cost(cost)) {
       return Optional.empty();
     }
     int runs = used.get(0).runs().size();

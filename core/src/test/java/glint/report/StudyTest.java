@@ -123,6 +123,23 @@ class StudyTest {
   }
 
   @Test
+  void timesThatHardlyGrowTellNoTrend() {
+    List<Measurement> points = new ArrayList<>();
+    for (int n = 2; n <= 16; n *= 2) {
+      Spread seconds = Spread.of(1 + n);
+      Errors error = new Errors(1.0 / n, 0, 0, 0);
+      points.add(new Measurement(n, List.of(error), seconds, new Rays(n, 0, 0, 0), true));
+    }
+    // 17 s are more than three times 3 s, and 9 s are just as much; 9 s are less than that of 5 s.
+    assertTrue(new Curve(half(), points, 0, true).trend(Cost.SECONDS).isPresent());
+    assertTrue(new Curve(half(), points.subList(0, 3), 0, true).trend(Cost.SECONDS).isPresent());
+    points.remove(0);
+    points.add(1, points.get(0));
+    points.remove(3);
+    assertTrue(new Curve(half(), points, 0, true).trend(Cost.SECONDS).isEmpty());
+  }
+
+  @Test
   void exactImagesHaveNoTrend() {
     List<Measurement> points = new ArrayList<>();
     for (int n = 1; n <= 64; n *= 2) {

@@ -34,11 +34,12 @@ final class ReportCommand implements Callable<Integer> {
   public Integer call() throws RunException {
     Reporter reporter = new Reporter(spec.commandLine().getErr(), options.quiet);
     try (Interrupt interrupt = Interrupt.install()) {
-      String command = "glint report " + String.join(" ", arguments());
+      String command = "glint " + String.join(" ", arguments());
       return new ReportRun(filter, options, reporter, interrupt).run(command, files);
     }
   }
 
+  /** Returns all words behind {@code glint}. */
   private List<String> arguments() {
     return spec.commandLine().getParseResult().originalArgs();
   }

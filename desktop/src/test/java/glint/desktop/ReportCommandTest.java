@@ -43,9 +43,13 @@ class ReportCommandTest {
     return Run.of(all);
   }
 
-  private JsonArray scenes() throws IOException {
+  private JsonObject json() throws IOException {
     String json = Files.readString(out().resolve("speed-and-error.json"));
-    return JsonParser.parseString(json).getAsJsonObject().getAsJsonArray("scenes");
+    return JsonParser.parseString(json).getAsJsonObject();
+  }
+
+  private JsonArray scenes() throws IOException {
+    return json().getAsJsonArray("scenes");
   }
 
   @Test
@@ -55,6 +59,10 @@ class ReportCommandTest {
     assertEquals(0, run.exitCode(), run.err());
     assertEquals(FILES, Run.list(out()));
     assertTrue(run.err().contains("one: error "), run.err());
+    String command = json().get("command").getAsString();
+    assertTrue(
+        command.startsWith("glint report --out ") && command.endsWith("--threads 1"), command);
+    assertEquals(1, json().getAsJsonObject("environment").get("threads").getAsInt());
     assertEquals(2, scenes().size());
     JsonObject one = scenes().get(0).getAsJsonObject();
     assertEquals("one", one.get("name").getAsString());
