@@ -227,11 +227,15 @@ public final class Hit {
    * <p>A direction that was mirrored or bent by the shading normal may lead to the wrong side of
    * the true surface. It is then mirrored once more, by that; 16u cover all rounding of it.
    *
-   * @param dx the direction, of a length near 1; the ray's has length 1
+   * @param dx the direction, of length 1
    */
   public void spawn(double dx, double dy, double dz, int toSide, Ray ray) {
     double rise = toSide * (dx * nx + dy * ny + dz * nz);
-    double more = rise < 0 ? toSide * (16 * Rounding.U - 2 * rise) : 0;
+    if (!(rise < 0)) {
+      leave(toSide * offset, dx, dy, dz, ray);
+      return;
+    }
+    double more = toSide * (16 * Rounding.U - 2 * rise);
     double x = dx + more * nx;
     double y = dy + more * ny;
     double z = dz + more * nz;

@@ -17,7 +17,11 @@ public final class Fresnel {
    * <p>1 - cos² is taken as (1 - cos)(1 + cos), which keeps its digits at normal incidence.
    */
   public static double cosOut(double cosIn, double eta) {
-    double sinOut2 = eta * eta * ((1 - cosIn) * (1 + cosIn));
+    return cosine(eta * eta * ((1 - cosIn) * (1 + cosIn)));
+  }
+
+  /** Returns the cosine of the refracted ray, given the square of its sine, or -1. */
+  public static double cosine(double sinOut2) {
     return sinOut2 < 1 ? Math.sqrt(1 - sinOut2) : -1;
   }
 

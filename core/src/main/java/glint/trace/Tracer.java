@@ -261,7 +261,8 @@ public final class Tracer {
     double dx = ray.dx - twice * hit.sx;
     double dy = ray.dy - twice * hit.sy;
     double dz = ray.dz - twice * hit.sz;
-    hit.spawn(dx, dy, dz, 1, ray);
+    double length = Math.sqrt(dx * dx + dy * dy + dz * dz);
+    hit.spawn(dx / length, dy / length, dz / length, 1, ray);
     f.begin(Double.POSITIVE_INFINITY, f.weightR, f.weightG, f.weightB);
     counts.reflection++;
   }
@@ -276,7 +277,11 @@ public final class Tracer {
     double eta = boundary.eta;
     double cosIn = -(ray.dx * hit.sx + ray.dy * hit.sy + ray.dz * hit.sz);
     cosIn = Math.min(Math.max(cosIn, 0), 1);
-    double cosOut = Fresnel.cosOut(cosIn, eta);
+    // What will run along the surface, of length sin t: it has more digits than cos i leaves.
+    double tx = eta * (ray.dx + cosIn * hit.sx);
+    double ty = eta * (ray.dy + cosIn * hit.sy);
+    double tz = eta * (ray.dz + cosIn * hit.sz);
+    double cosOut = Fresnel.cosine(tx * tx + ty * ty + tz * tz);
     double share = Fresnel.reflectance(cosIn, cosOut, eta);
     if (recorder != null) {
       recorder.splits(share);
@@ -296,10 +301,9 @@ public final class Tracer {
       through.from = f.from;
       return share;
     }
-    double along = eta * cosIn - cosOut;
-    double dx = eta * ray.dx + along * hit.sx;
-    double dy = eta * ray.dy + along * hit.sy;
-    double dz = eta * ray.dz + along * hit.sz;
+    double dx = tx - cosOut * hit.sx;
+    double dy = ty - cosOut * hit.sy;
+    double dz = tz - cosOut * hit.sz;
     hit.spawn(dx, dy, dz, -1, through.ray);
     through.begin(Double.POSITIVE_INFINITY, wr, wg, wb);
     if (boundary.several) { // what coincides here is crossed already

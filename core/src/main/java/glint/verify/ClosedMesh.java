@@ -166,6 +166,16 @@ record ClosedMesh(List<Vector3d> corners, List<int[]> faces) {
     return new ClosedMesh(moved, faces);
   }
 
+  /** Returns this mesh with a hollow of the shape of another one, which lies inside. */
+  ClosedMesh around(ClosedMesh hollow) {
+    List<Vector3d> all = new ArrayList<>(corners);
+    all.addAll(hollow.corners);
+    List<int[]> both = new ArrayList<>(faces);
+    int n = corners.size();
+    hollow.faces.forEach(f -> both.add(new int[] {n + f[0], n + f[2], n + f[1]}));
+    return new ClosedMesh(all, both);
+  }
+
   Vector3d corner(int face, int i) {
     return corners.get(faces.get(face)[i % 3]);
   }

@@ -42,7 +42,7 @@ final class Glass {
     Projection lens = Projection.vertical(30);
     return new Scene.Builder("field")
         .size(16, 12)
-        .camera(Camera.of(new Vector3d(0, 0, 100), Vector3d.ZERO, Pictures.UP, lens))
+        .camera(Camera.of(new Vector3d(0, 60, 80), Vector3d.ZERO, Pictures.UP, lens))
         .background(Background.constant(Rgb.WHITE));
   }
 

@@ -22,6 +22,7 @@ public final class HardCases {
     cases.addAll(FresnelCases.all());
     cases.addAll(BodyCases.all());
     cases.addAll(EnergyCases.all());
+    cases.addAll(PathCases.all());
     cases.addAll(ColorCases.all());
     cases.addAll(LeavingCases.all());
     cases.addAll(AdversarialCases.all());
