@@ -32,6 +32,10 @@ final class BadObj extends RuntimeException {
     return new BadObj(place, "longer than " + ObjSource.LONGEST + " characters: not a number");
   }
 
+  static BadObj tooLongName(Place place) {
+    return new BadObj(place, "a name has up to " + ObjSource.LONGEST + " characters");
+  }
+
   static BadObj noNumber(Place place, String word) {
     String quoted = SourceText.quote(word);
     String lower = word.toLowerCase(Locale.ROOT);

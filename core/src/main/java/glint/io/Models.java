@@ -2,6 +2,8 @@ package glint.io;
 
 import glint.geometry.Mesh;
 import glint.math.Check;
+import glint.optics.Material;
+import glint.scene.NamedMaterial;
 import java.io.IOException;
 import java.io.InputStream;
 import java.util.ArrayList;
@@ -17,7 +19,10 @@ final class Models {
   private final Values values;
 
   /** By path; null where there is none or it has problems. */
-  private final Map<String, Mesh> meshes = new HashMap<>();
+  private final Map<String, ObjModel> read = new HashMap<>();
+
+  /** By path, for models whose own materials were asked for; null where these have problems. */
+  private final Map<String, List<ModelPart>> parts = new HashMap<>();
 
   /** What was asked to be smooth, by path and degrees. */
   private final Map<Smoothed, Mesh> smoothed = new HashMap<>();
@@ -62,27 +67,60 @@ final class Models {
       values.wrong(file, "a model's name, which ends in .obj");
       return null;
     }
-    if (!meshes.containsKey(path)) {
-      meshes.put(path, read(path, file));
-    } else if (meshes.get(path) == null) {
+    if (!read.containsKey(path)) {
+      read.put(path, read(path, file));
+    } else if (read.get(path) == null) {
       values.problems().repeat();
     }
-    return meshes.get(path);
+    return read.get(path) == null ? null : read.get(path).mesh();
   }
 
-  private Mesh read(String path, YamlNode file) {
+  /**
+   * Returns the materials of a model, one for each part of its mesh, or null with problems
+   * reported.
+   *
+   * @param file names a model whose mesh could be read
+   * @param standard for parts that have none
+   */
+  List<NamedMaterial> materials(YamlNode file, Material standard) {
+    String path = values.text(file);
+    if (!parts.containsKey(path)) {
+      parts.put(path, readParts(path));
+    }
+    if (parts.get(path) == null) {
+      values.problems().repeat();
+      return null;
+    }
+    List<NamedMaterial> materials = new ArrayList<>();
+    for (ModelPart part : parts.get(path)) {
+      Material own = part.material().map(MtlMaterial::material).orElse(standard);
+      materials.add(new NamedMaterial(part.name(), own));
+    }
+    return materials;
+  }
+
+  private ObjModel read(String path, YamlNode file) {
     try (InputStream in = folder.open(path)) {
       ObjModel model = ObjReader.read(in, folder.name(path));
       problems.addAll(model.problems());
       notes.addAll(model.notes());
       if (model.mesh() == null) {
         values.problems().repeat();
+        return null;
       }
-      return model.mesh();
+      return model;
     } catch (IOException e) {
       values.report(file, "cannot read " + SourceText.quote(path) + ": " + e.getMessage());
       return null;
     }
+  }
+
+  private List<ModelPart> readParts(String path) {
+    ModelMaterials materials =
+        new ModelMaterials(read.get(path), folder.name(path), new Beside(folder, path));
+    problems.addAll(materials.problems());
+    notes.addAll(materials.notes());
+    return materials.problems().isEmpty() ? materials.parts() : null;
   }
 
   /** Returns what is wrong within the models, in the order of their first use. */
@@ -93,5 +131,25 @@ final class Models {
   /** Returns what was left out of the models, in the order of their first use. */
   List<Problem> notes() {
     return notes;
+  }
+
+  /** The files beside a model. */
+  private record Beside(SceneFolder folder, String model) implements SceneFolder {
+
+    @Override
+    public InputStream open(String name) throws IOException {
+      return folder.open(path(name));
+    }
+
+    @Override
+    public String name(String name) {
+      return folder.name(path(name));
+    }
+
+    private String path(String name) {
+      boolean isWhole = name.startsWith("/") || name.matches("[A-Za-z]:.*");
+      int end = Math.max(model.lastIndexOf('/'), model.lastIndexOf('\\')) + 1;
+      return isWhole ? name : model.substring(0, end) + name;
+    }
   }
 }

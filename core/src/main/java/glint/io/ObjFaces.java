@@ -17,9 +17,10 @@ final class ObjFaces {
   private static final int DETAILS = 4;
 
   /** How many numbers precede the corners of a deferred face. */
-  private static final int HEAD = 4;
+  private static final int HEAD = 5;
 
   private final ObjGeometry geometry;
+  private final ObjParts parts;
   private final Triangulator triangulator = new Triangulator();
 
   private final ObjNote repeated = new ObjNote("a face repeats a corner, which is taken once");
@@ -44,14 +45,15 @@ final class ObjFaces {
   private int size;
   private boolean ahead;
 
-  /** Faces that name what is still to come: size, line, column, group, and then their corners. */
+  /** Faces that name what is still to come: size, line, column, group, material and corners. */
   private final Ints deferred = new Ints();
 
   /** The coordinates of the corners of a face that is divided. */
   private double[] spots = {};
 
-  ObjFaces(ObjGeometry geometry) {
+  ObjFaces(ObjGeometry geometry, ObjParts parts) {
     this.geometry = geometry;
+    this.parts = parts;
   }
 
   /** Puts the faces from here on into a smoothing group, or into none: 0. */
@@ -109,7 +111,7 @@ final class ObjFaces {
     if (ahead) {
       defer();
     } else {
-      add(group);
+      add(group, parts.current());
     }
   }
 
@@ -118,6 +120,7 @@ final class ObjFaces {
     deferred.add(line);
     deferred.add(column);
     deferred.add(group);
+    deferred.add(parts.current());
     for (int i = 0; i < size; i++) {
       deferred.add(polygon[i]);
       for (int k = 0; k < DETAILS; k++) {
@@ -132,6 +135,7 @@ final class ObjFaces {
     while (at < deferred.size()) {
       begin(deferred.get(at + 1), deferred.get(at + 2));
       int itsGroup = deferred.get(at + 3);
+      int itsMaterial = deferred.get(at + 4);
       size = deferred.get(at);
       at += HEAD;
       for (int i = 0; i < size; i++) {
@@ -142,7 +146,7 @@ final class ObjFaces {
       }
       try {
         requireAll();
-        add(itsGroup);
+        add(itsGroup, itsMaterial);
       } catch (BadObj e) {
         problems.report(e.place(), e.getMessage());
       }
@@ -186,14 +190,17 @@ final class ObjFaces {
     return new Place(line, column);
   }
 
-  private void add(int ofGroup) {
+  private void add(int ofGroup, int ofMaterial) {
     if (geometry.hasFar()) {
       refuseFar();
     }
     dropRepeated();
     if (size < 3) {
       lost.at(place());
-    } else if (size == 3) {
+      return;
+    }
+    parts.begin(geometry.triangleCount(), ofMaterial);
+    if (size == 3) {
       triangle(0, 1, 2, ofGroup);
     } else {
       divide(ofGroup);

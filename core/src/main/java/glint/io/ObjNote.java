@@ -18,7 +18,7 @@ final class ObjNote {
 
   void report(Problems notes) {
     if (count > 0) {
-      notes.report(first, message + (count == 1 ? "" : " (" + count + " times in this model)"));
+      notes.report(first, message + (count == 1 ? "" : " (" + count + " times in this file)"));
     }
   }
 }

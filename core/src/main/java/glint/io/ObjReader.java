@@ -1,18 +1,22 @@
 package glint.io;
 
+import glint.geometry.Mesh;
 import java.io.IOException;
 import java.io.InputStream;
+import java.util.ArrayList;
 import java.util.Arrays;
+import java.util.LinkedHashMap;
 import java.util.List;
+import java.util.Map;
 import java.util.Set;
 
 /**
  * Reads the polygons of Wavefront OBJ files (Wavefront, Advanced Visualizer Manual, appendix B1),
  * quirks of the wild included (docs/scene-format.md).
  *
- * <p>Points, texture points, normals, smoothing groups and faces are read; points and lines to be
- * drawn, other groups and materials are known and passed over. One pass, and memory in proportion
- * to the mesh.
+ * <p>Points, texture points, normals, smoothing groups, faces and the names of materials are read;
+ * points and lines to be drawn and other groups are known and passed over. One pass, and memory in
+ * proportion to the mesh.
  */
 public final class ObjReader {
 
@@ -29,8 +33,6 @@ public final class ObjReader {
           "g",
           "o",
           "mg",
-          "usemtl",
-          "mtllib",
           "usemap",
           "maplib",
           "bevel",
@@ -45,7 +47,12 @@ public final class ObjReader {
   private final Problems problems;
   private final Problems notes;
   private final ObjGeometry geometry = new ObjGeometry();
-  private final ObjFaces faces = new ObjFaces(geometry);
+  private final ObjParts parts = new ObjParts();
+  private final ObjFaces faces = new ObjFaces(geometry, parts);
+
+  /** What follows each {@code mtllib}: one name or several. */
+  private final Map<String, ObjName> libraries = new LinkedHashMap<>();
+
   private final double[] numbers = new double[3];
   private ObjNote unknown;
   private final ObjNote noNormal = new ObjNote("not a finite number: taken as no normal");
@@ -78,7 +85,7 @@ public final class ObjReader {
       // They have been told
     }
     if (problems.reports() > 0) {
-      return new ObjModel(null, problems.inFileOrder(), List.of());
+      return new ObjModel(null, List.of(), List.of(), problems.inFileOrder(), List.of());
     }
     if (unknown != null) {
       unknown.report(notes);
@@ -88,7 +95,10 @@ public final class ObjReader {
     if (geometry.triangleCount() == 0) {
       notes.report(Place.NONE, "holds no faces");
     }
-    return new ObjModel(geometry.mesh(), List.of(), notes.inFileOrder());
+    List<ObjName> named = new ArrayList<>(libraries.values());
+    List<ObjName> materials = parts.used();
+    Mesh mesh = parts.divide(geometry.mesh());
+    return new ObjModel(mesh, materials, named, List.of(), notes.inFileOrder());
   }
 
   private void readStatements() throws IOException {
@@ -121,6 +131,11 @@ public final class ObjReader {
     } else if (source.takes("f") || source.takes("fo")) {
       faces.begin(line, column);
       readFace();
+    } else if (source.takes("usemtl")) {
+      parts.use(name());
+    } else if (source.takes("mtllib")) {
+      ObjName library = name();
+      libraries.putIfAbsent(library.text(), library);
     } else {
       passOver();
     }
@@ -202,6 +217,13 @@ public final class ObjReader {
       faces.corner(source.index(0), source.index(1), source.index(2), line, column);
     }
     faces.end();
+  }
+
+  private ObjName name() throws IOException {
+    source.hasToken(); // goes there, or to the end of the line
+    int line = source.line();
+    int column = source.column();
+    return new ObjName(source.rest(), line, column);
   }
 
   private void passOver() {

@@ -3,6 +3,8 @@ package glint.io;
 import java.io.IOException;
 import java.io.InputStream;
 import java.io.InputStreamReader;
+import java.nio.ByteBuffer;
+import java.nio.charset.CharacterCodingException;
 import java.nio.charset.StandardCharsets;
 
 /**
@@ -192,6 +194,64 @@ final class ObjSource {
       end++;
     } while ((buffer[end] == '#' || !isDelimiter(buffer[end])) && end - at < MOST_QUOTED);
     return new String(buffer, at, end - at, StandardCharsets.UTF_8);
+  }
+
+  /**
+   * Reads the rest of the statement as a name, blanks and {@code #} within it included; "" if there
+   * is none.
+   *
+   * @throws BadObj if it is longer than any name or holds what no text does
+   */
+  String rest() throws IOException {
+    StringBuilder name = new StringBuilder();
+    while (hasToken() || buffer[at] == '#') {
+      int end = endOfLine();
+      int last = lastOf(end);
+      boolean goesOn = buffer[last - 1] == '\\' && end < limit;
+      String piece = text(at, goesOn ? lastOf(last - 1) : last);
+      name.append(name.length() == 0 ? "" : " ").append(piece);
+      at = goesOn ? last - 1 : end;
+      if (name.length() > LONGEST) {
+        throw BadObj.tooLongName(place());
+      }
+    }
+    return name.toString();
+  }
+
+  /** Steps back over blanks. */
+  private int lastOf(int end) {
+    int last = end;
+    while (isBlank(buffer[last - 1])) {
+      last--;
+    }
+    return last;
+  }
+
+  private int endOfLine() {
+    int end = at;
+    while (buffer[end] != '\n' && buffer[end] != '\r') {
+      byte c = buffer[end];
+      if (c >= 0 && c < ' ' && !isBlank(c) || c == 0x7F) {
+        throw BadObj.noText(place(), c);
+      }
+      if (end - at >= LONGEST) {
+        throw BadObj.tooLongName(place());
+      }
+      end++;
+    }
+    return end;
+  }
+
+  /** Returns bytes as text: UTF-8, or what old programs write. */
+  private String text(int from, int to) {
+    try {
+      return StandardCharsets.UTF_8
+          .newDecoder()
+          .decode(ByteBuffer.wrap(buffer, from, to - from))
+          .toString();
+    } catch (CharacterCodingException e) {
+      return new String(buffer, from, to - from, StandardCharsets.ISO_8859_1);
+    }
   }
 
   /**

@@ -2,6 +2,7 @@ package glint.io;
 
 import glint.geometry.Box;
 import glint.geometry.Cylinder;
+import glint.geometry.Mesh;
 import glint.geometry.Plane;
 import glint.geometry.Pyramid;
 import glint.geometry.Quad;
@@ -48,11 +49,20 @@ final class SurfaceReader {
     Fields f = new Fields(entry.value(), section, values);
     Surface surface = shape(section, f);
     Material material = materials.of(f);
+    boolean sound = surface != null && material != null;
+    List<NamedMaterial> made = sound ? madeOf(f, surface, material) : List.of();
     Transform toWorld = transforms.read(f);
-    String name = f.get("material") instanceof Scalar named ? named.text() : "";
     int line = entry.key().place().line();
-    return f.build(
-        () -> new Placement(surface, toWorld, List.of(new NamedMaterial(name, material)), line));
+    return f.build(() -> new Placement(surface, toWorld, made, line));
+  }
+
+  /** A material that is written is for all of a surface; without one a model keeps its own. */
+  private List<NamedMaterial> madeOf(Fields f, Surface surface, Material material) {
+    if (surface instanceof Mesh && !f.has("material")) {
+      return models.materials(f.get("file"), material);
+    }
+    String name = f.get("material") instanceof Scalar named ? named.text() : "";
+    return List.of(new NamedMaterial(name, material));
   }
 
   private Surface shape(Section section, Fields f) {

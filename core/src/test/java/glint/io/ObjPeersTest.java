@@ -130,7 +130,7 @@ class ObjPeersTest {
     assertEquals(
         List.of(
             "invalid-face-definition:15:1: a face needs three different corners: this one is left"
-                + " out (2 times in this model)",
+                + " out (2 times in this file)",
             "invalid-face-definition: holds no faces"),
         read("invalid-face-definition").notes().stream()
             .map(Problem::toString)

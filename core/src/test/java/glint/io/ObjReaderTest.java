@@ -189,7 +189,7 @@ class ObjReaderTest {
     assertEquals(5, mesh.triangles());
     assertEquals(2.5, MeshFacts.area(mesh), 0);
     assertEquals(
-        List.of("5:1: a face repeats a corner, which is taken once (3 times in this model)"),
+        List.of("5:1: a face repeats a corner, which is taken once (3 times in this file)"),
         ObjText.notes(text));
   }
 
@@ -201,7 +201,7 @@ class ObjReaderTest {
         ObjText.notes(text)
             .contains(
                 "5:1: a face needs three different corners: this one is left out"
-                    + " (5 times in this model)"));
+                    + " (5 times in this file)"));
   }
 
   /** O13. */
@@ -240,7 +240,7 @@ class ObjReaderTest {
   void whatIsUnknownIsLeftOutAndCounted() {
     String text = FOUR + "f 1 2 3\nsurf 0 1 0 1 1 2\nF 1 2 3\nversion 1\n";
     assertEquals(
-        List.of("6:1: 'surf' is not read: the line is left out (3 times in this model)"),
+        List.of("6:1: 'surf' is not read: the line is left out (3 times in this file)"),
         ObjText.notes(text));
   }
 

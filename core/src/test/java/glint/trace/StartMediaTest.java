@@ -208,7 +208,9 @@ class StartMediaTest {
     assertFaded(2 * 0.7, seen(at(v(0.1, 0.2, 5), NARROW, 0), 1, 0, 0, both));
     // Only the upper part lets light out; who looks up from inside is in its smoke.
     Camera up = Camera.of(v(0.1, 0.2, -0.2), v(0.1, 0.2, 9), v(0, 1, 0), NARROW);
-    assertFaded(0.9, seen(up, 1, 0, 0, parts(half, smoke, Material.WHITE)));
+    Material lamp = new Material(Rgb.BLACK, Rgb.BLACK, Rgb.BLACK, 1, Rgb.BLACK, Rgb.WHITE);
+    Placement within = Placement.of(new Sphere(v(0.1, 0.2, 0.25), 0.125), lamp);
+    assertFaded(0.325, seen(up, 1, 0, 0, parts(half, smoke, Material.WHITE), within));
     // Below it, where the opaque part hides the upper one, nobody is.
     Camera below = Camera.of(v(0.1, 0.2, -2), v(0.1, 0.2, -9), v(0, 1, 0), NARROW);
     assertFaded(0, seen(below, 1, 0, 0, parts(half, smoke, Material.WHITE)));

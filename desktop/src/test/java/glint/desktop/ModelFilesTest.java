@@ -139,4 +139,34 @@ class ModelFilesTest {
     assertTrue(run.err().contains(model + ": note: holds no faces"), run.err());
     assertEquals(List.of("with.png", "without.png"), Run.list(out));
   }
+
+  @Test
+  void materialsOfAModelBelongToIt() throws IOException {
+    Files.writeString(model, "mtllib paint/red.mtl\nusemtl red\n" + SQUARE);
+    Path paint = Files.createDirectories(model.resolveSibling("paint")).resolve("red.mtl");
+    Run run = Run.of("check", file);
+    assertEquals(0, run.exitCode(), run.err());
+    assertTrue(
+        run.out()
+            .startsWith(
+                model
+                    + ":1:8: note: material library 'paint/red.mtl' cannot be read:"
+                    + " no such file or folder\n"),
+        run.out());
+    render(0);
+    assertEquals(2, kept(render(0, "--resume")));
+    Files.writeString(paint, "newmtl red\nKd 1 0 0\n");
+    assertEquals(0, kept(render(0, "--resume")));
+    assertEquals(2, kept(render(0, "--resume")));
+    Files.writeString(paint, "newmtl red\nKd 0 1 0\n");
+    assertEquals(0, kept(render(0, "--resume")));
+    Files.writeString(paint, "newmtl red\nKd 0 1 x\n");
+    run = render(1);
+    assertEquals(paint + ":2:8: expected a number, but found 'x'", run.errLines().get(0));
+    Run replay = Run.of("replay", file, "--scene", "with", "--pixel", "10,7", "--samples", "1");
+    assertEquals(1, replay.exitCode());
+    Files.writeString(paint, "newmtl red\nKd 0 1 0\n");
+    replay = Run.of("replay", file, "--scene", "with", "--pixel", "10,7", "--samples", "1");
+    assertTrue(replay.out().contains("surface 0 (mesh of red, line 8)"), replay.out());
+  }
 }

@@ -1,0 +1,160 @@
+package glint.io;
+
+import java.io.IOException;
+import java.io.InputStream;
+import java.util.ArrayList;
+import java.util.HashMap;
+import java.util.HashSet;
+import java.util.List;
+import java.util.Locale;
+import java.util.Map;
+import java.util.Optional;
+import java.util.Set;
+
+/** Finds the materials of a model's parts in the libraries that it names. */
+final class ModelMaterials {
+
+  /** More are not looked for. */
+  private static final int MOST_LIBRARIES = 1000;
+
+  private static final int MOST_NOTES = 10;
+
+  private final SceneFolder folder;
+  private final Problems remarks;
+  private final Map<String, MtlMaterial> known = new HashMap<>();
+  private final Set<String> read = new HashSet<>();
+  private final List<ModelPart> parts = new ArrayList<>();
+  private final List<Problem> problems = new ArrayList<>();
+  private final List<Problem> notes = new ArrayList<>();
+  private boolean complete = true;
+
+  /**
+   * Reads the libraries that the parts of a model need.
+   *
+   * @param modelName begins the messages about the model
+   * @param folder opens files by names that are relative to the model
+   */
+  ModelMaterials(ObjModel model, String modelName, SceneFolder folder) {
+    this.folder = folder;
+    remarks = new Problems(modelName, MOST_NOTES);
+    if (model.materials().stream().anyMatch(name -> name.line() > 0)) {
+      model.libraries().stream().limit(MOST_LIBRARIES).forEach(this::open);
+    }
+    findParts(model.materials());
+    notes.addAll(0, remarks.inFileOrder());
+  }
+
+  /** Returns what the parts are made of. */
+  List<ModelPart> parts() {
+    return parts;
+  }
+
+  /** Returns what is wrong within the libraries. */
+  List<Problem> problems() {
+    return problems;
+  }
+
+  /** Returns what is missing or was left out. */
+  List<Problem> notes() {
+    return notes;
+  }
+
+  /** Opens what one statement names: one file, or if that is not there, several. */
+  private void open(ObjName statement) {
+    // A backslash stands before a blank that belongs to a name, or for a slash.
+    String text = statement.text().replace('\t', ' ').replace("\\ ", " ").replace('\\', '/');
+    List<String> names = split(text);
+    if (names.size() > 1 && read(text) == null) {
+      return;
+    }
+    for (String name : names) {
+      String reason = read(name);
+      if (reason != null) {
+        replace(name, reason, statement.place());
+      }
+    }
+  }
+
+  /** Divides names: one ends with a word that ends in .mtl, or with the line. */
+  private static List<String> split(String text) {
+    List<String> names = new ArrayList<>();
+    StringBuilder name = new StringBuilder();
+    for (String word : text.split(" ")) {
+      name.append(name.length() == 0 ? "" : " ").append(word);
+      if (word.toLowerCase(Locale.ROOT).endsWith(".mtl")) {
+        names.add(name.toString().trim());
+        name.setLength(0);
+      }
+    }
+    if (name.length() > 0) {
+      names.add(name.toString().trim());
+    }
+    return names;
+  }
+
+  /** Reads a library, unless that is done; returns why it could not be read, or null. */
+  private String read(String name) {
+    if (read.contains(name)) {
+      return null;
+    }
+    try (InputStream in = folder.open(name)) {
+      MtlLibrary library = MtlReader.read(in, folder.name(name));
+      read.add(name);
+      library.materials().forEach(known::putIfAbsent);
+      problems.addAll(library.problems());
+      notes.addAll(library.notes());
+      return null;
+    } catch (IOException e) {
+      return e.getMessage();
+    }
+  }
+
+  /** Takes a library of the same name beside the model, for one on somebody's own disk. */
+  private void replace(String name, String reason, Place place) {
+    String last = name.substring(name.lastIndexOf('/') + 1);
+    String missing = "material library " + SourceText.quote(name) + " cannot be read: " + reason;
+    if (!last.equals(name) && read(last) == null) {
+      remarks.report(place, missing + "; " + SourceText.quote(last) + " is taken instead");
+    } else {
+      complete = false;
+      remarks.report(place, missing);
+    }
+  }
+
+  private void findParts(List<ObjName> names) {
+    ObjName lost = null;
+    int count = 0;
+    for (ObjName name : names) {
+      MtlMaterial material = find(name.text());
+      parts.add(new ModelPart(name.text(), Optional.ofNullable(material)));
+      if (material == null && name.line() > 0) {
+        lost = lost == null ? name : lost;
+        count++;
+      }
+    }
+    if (lost != null && complete) { // or the missing library has been told
+      String others = count == 1 ? "" : ", nor are " + (count - 1) + " others";
+      remarks.report(
+          lost.place(),
+          "material "
+              + SourceText.quote(lost.text())
+              + " is in no library of this model"
+              + others
+              + ": the default material is taken");
+    }
+  }
+
+  /** Returns the material of a name, which a comment may follow: it may hold a # of its own. */
+  private MtlMaterial find(String name) {
+    MtlMaterial material = known.get(name);
+    for (int end = comment(name, name.length()); end >= 0 && material == null; ) {
+      material = known.get(name.substring(0, end).trim());
+      end = comment(name, end - 1);
+    }
+    return material;
+  }
+
+  private static int comment(String name, int before) {
+    return name.lastIndexOf(" #", before);
+  }
+}
