@@ -102,6 +102,7 @@ final class ModelMaterials {
       read.add(name);
       library.materials().forEach(known::putIfAbsent);
       problems.addAll(library.problems());
+      complete &= library.problems().isEmpty();
       notes.addAll(library.notes());
       return null;
     } catch (IOException e) {
@@ -132,7 +133,7 @@ final class ModelMaterials {
         count++;
       }
     }
-    if (lost != null && complete) { // or the missing library has been told
+    if (lost != null && complete) { // or what is missing has been told
       String others = count == 1 ? "" : ", nor are " + (count - 1) + " others";
       remarks.report(
           lost.place(),
