@@ -72,7 +72,7 @@ class ObjCornersTest {
     String text = SIX + "vn nan -nan 1\nvn 1.#IND 0 inf\nvn 1 0 0\nf 1//1 2//2 3//3\n";
     assertEquals(List.of(Z, Z, X), MeshFacts.normals(ObjText.mesh(text), 0));
     assertEquals(
-        List.of("7:4: not a finite number: taken as no normal (2 times in this model)"),
+        List.of("7:4: not a finite number: taken as no normal (2 times in this file)"),
         ObjText.notes(text));
   }
 
@@ -93,7 +93,7 @@ class ObjCornersTest {
     String odd = SIX + "s on\ns 1.5\ns\n" + square;
     assertFalse(ObjText.mesh(odd).isSmooth());
     assertEquals(
-        List.of("7:3: neither a number nor off: no smoothing group (2 times in this model)"),
+        List.of("7:3: neither a number nor off: no smoothing group (2 times in this file)"),
         ObjText.notes(odd));
   }
 
@@ -137,7 +137,7 @@ class ObjCornersTest {
     assertEquals(
         List.of(
             "7:3: a corner names a texture point or normal, but the model has none"
-                + " (6 times in this model)"),
+                + " (6 times in this file)"),
         ObjText.notes(text));
   }
 
