@@ -21,6 +21,7 @@ public final class HardCases {
     cases.addAll(WorldCases.all());
     cases.addAll(FresnelCases.all());
     cases.addAll(BodyCases.all());
+    cases.addAll(TouchingCases.all());
     cases.addAll(EnergyCases.all());
     cases.addAll(PathCases.all());
     cases.addAll(ColorCases.all());
