@@ -116,4 +116,20 @@ class ObjBytesTest {
         };
     assertThrows(UncheckedIOException.class, () -> ObjReader.read(broken, "m.obj"));
   }
+
+  /** Files that ask for much in few bytes. */
+  @Test
+  void hostileSizes() {
+    assertEquals(1, ObjText.read("f 1 2 3 999999999\n").problems().size());
+    StringBuilder face = new StringBuilder("v 0 0 0\nv 1 0 0\nv 1 1 0\nf");
+    for (int i = 0; i < 300_000; i++) {
+      face.append(i % 3 == 0 ? " 1" : i % 3 == 1 ? " 2" : " 3");
+    }
+    assertEquals(299_998, ObjText.mesh(face.toString()).triangles());
+    StringBuilder names = new StringBuilder();
+    for (int i = 0; i < 200_000; i++) {
+      names.append("x").append(i).append('\n');
+    }
+    assertEquals(2, ObjText.notes(names.toString()).size());
+  }
 }
