@@ -52,14 +52,18 @@ final class CameraCases {
     Scene scene = plain.scene().build();
     double[] here = Pictures.pixels(plain.scene());
     double[] there = Pictures.pixels(other.scene());
-    int width = scene.width();
-    double[] turned = new double[there.length];
-    for (int i = 0; i < there.length; i += 3) {
+    WorldCases.compare(here, turned(there, scene.width()), tally);
+  }
+
+  /** Returns a picture with left and right exchanged. */
+  static double[] turned(double[] picture, int width) {
+    double[] turned = new double[picture.length];
+    for (int i = 0; i < picture.length; i += 3) {
       int pixel = i / 3;
       int back = pixel - pixel % width + width - 1 - pixel % width;
-      System.arraycopy(there, 3 * back, turned, i, 3);
+      System.arraycopy(picture, 3 * back, turned, i, 3);
     }
-    WorldCases.compare(here, turned, tally);
+    return turned;
   }
 
   private static void fieldOfView(Tally tally) {

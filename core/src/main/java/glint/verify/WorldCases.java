@@ -3,6 +3,7 @@ package glint.verify;
 import glint.color.Rgb;
 import glint.geometry.Quad;
 import glint.light.Light;
+import glint.math.Quaternion;
 import glint.math.Rounding;
 import glint.math.Vector3d;
 import glint.optics.Material;
@@ -24,6 +25,9 @@ final class WorldCases {
     return List.of(
         HardCase.exact("B12", "threads and tiles change no bit of a picture", WorldCases::order),
         HardCase.exact("Q11", "world·2^k, k in -40..40: no bit changes", WorldCases::powers),
+        HardCase.exact("Q11-clear", "glass and patterns ·2^k: no bit", WorldCases::clearPowers),
+        HardCase.exact("Q01", "turned by q and by -q: no bit changes", WorldCases::turned),
+        HardCase.exact("A27-mirrored", "glass and patterns mirrored in x", WorldCases::mirrored),
         HardCase.exact("A27-permuted", "surfaces in another order: no bit", WorldCases::permuted),
         HardCase.exact("A27-ids", "dyadic moves: ids and t, bit for bit", WorldCases::movedIds),
         HardCase.within(
@@ -56,8 +60,40 @@ final class WorldCases {
     }
   }
 
+  private static double[] clear(double scale, boolean mirrored, boolean parallel, Quaternion turn) {
+    return Pictures.pixels(new ClearWorld(scale, mirrored, parallel, turn).scene());
+  }
+
+  private static void clearPowers(Tally tally) {
+    for (boolean parallel : new boolean[] {false, true}) {
+      double[] plain = clear(1, false, parallel, ClearWorld.TURN);
+      for (int k : new int[] {-40, -11, -1, 1, 2, 30, 40}) {
+        compare(plain, clear(Math.scalb(1.0, k), false, parallel, ClearWorld.TURN), tally);
+      }
+    }
+  }
+
+  private static void turned(Tally tally) {
+    Quaternion q = ClearWorld.TURN;
+    Quaternion opposite = new Quaternion(-q.w(), -q.x(), -q.y(), -q.z());
+    compare(clear(1, false, false, q), clear(1, false, false, opposite), tally);
+  }
+
+  private static void mirrored(Tally tally) {
+    for (boolean parallel : new boolean[] {false, true}) {
+      double[] here = clear(1, false, parallel, ClearWorld.TURN);
+      double[] there = clear(1, true, parallel, ClearWorld.TURN);
+      compare(here, CameraCases.turned(there, ClearWorld.WIDTH), tally);
+    }
+  }
+
   private static void permuted(Tally tally) {
-    Scene scene = SampleWorld.PLAIN.scene().build();
+    permute(SampleWorld.PLAIN.scene().build(), tally);
+    permute(ClearWorld.plain(false).scene().build(), tally);
+    permute(ClearWorld.plain(true).scene().build(), tally);
+  }
+
+  private static void permute(Scene scene, Tally tally) {
     double[] plain = Pictures.render(scene, Set.of()).image().rgb();
     List<Placement> placements = new ArrayList<>(scene.placements());
     for (int i = 0; i < placements.size(); i++) {
