@@ -70,7 +70,7 @@ final class SceneRun {
       int column = pixel % settings.width();
       int row = pixel / settings.width();
       Scene scene = job.scene();
-      reporter.note("see one: " + ReplayLine.of(job.file(), scene, settings, column, row));
+      reporter.note("see one: " + SeeAgain.pixel(job.file(), scene, settings, column, row));
     }
     return stats;
   }

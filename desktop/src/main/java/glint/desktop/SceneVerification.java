@@ -1,12 +1,14 @@
 package glint.desktop;
 
 import glint.color.Rgb;
+import glint.render.RenderSettings;
 import glint.scene.Expectation;
 import glint.scene.Scene;
 import glint.verify.Verdict;
 import java.io.PrintWriter;
 import java.nio.file.Path;
 import java.util.List;
+import java.util.Set;
 
 /** Checks what the scenes of some files say of their own pictures. */
 final class SceneVerification {
@@ -98,13 +100,19 @@ final class SceneVerification {
 
   /** Returns the command that shows where a value comes from. */
   private static String command(Job job, Expectation e) {
-    String name = job.scene().name();
-    return (e.pixel().isPresent() ? "glint replay " : "glint render ")
-        + job.file()
-        + " --scene "
-        + (name.matches("[\\p{L}\\p{Nd}._+-]*") ? name : "'" + name + "'")
-        + e.pixel().map(p -> " --pixel " + p.x() + "," + p.y()).orElse("")
-        + (" --samples " + e.samples())
-        + (e.maxDepth().isPresent() ? " --depth " + e.maxDepth().getAsInt() : "");
+    Scene scene = job.scene();
+    RenderSettings settings =
+        new RenderSettings(
+            scene.width(),
+            scene.height(),
+            e.samples(),
+            0,
+            e.maxDepth(),
+            1,
+            RenderSettings.DEFAULT_TILE,
+            Set.of());
+    return e.pixel()
+        .map(p -> SeeAgain.pixel(job.file(), scene, settings, p.x(), p.y()))
+        .orElseGet(() -> SeeAgain.image(job.file(), scene, settings));
   }
 }
