@@ -37,17 +37,25 @@ public record Answers(List<Expectation> expectations, Transfer transfer) impleme
     return Optional.of(new Answers(List.copyOf(all), scene.transfer()));
   }
 
-  /** Returns the settings under which the answers of a scene hold. */
-  public RenderSettings settings(Scene scene, RenderSettings settings) {
+  /**
+   * Returns the settings under which a scene is measured: one that says anything of its picture
+   * keeps its own size, and the depth of its answers.
+   *
+   * @param asked what to measure with otherwise
+   */
+  public static RenderSettings settings(Scene scene, RenderSettings asked) {
+    if (scene.expectations().isEmpty()) {
+      return asked;
+    }
     return new RenderSettings(
         scene.width(),
         scene.height(),
-        settings.samples(),
-        settings.seed(),
-        expectations.get(0).maxDepth(),
-        settings.threads(),
-        settings.tileSize(),
-        settings.aovs());
+        asked.samples(),
+        asked.seed(),
+        of(scene).map(answers -> answers.expectations.get(0).maxDepth()).orElse(asked.maxDepth()),
+        asked.threads(),
+        asked.tileSize(),
+        asked.aovs());
   }
 
   @Override

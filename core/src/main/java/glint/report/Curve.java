@@ -21,8 +21,8 @@ public record Curve(Truth truth, List<Measurement> points, double truncation, bo
   /** The fewest points that tell a line from an accident. */
   private static final int FEWEST = 3;
 
-  /** How many times as much as the first point the last must cost at least to tell a slope. */
-  private static final double SPAN = 3;
+  /** How many times as much as at the last point a sample may cost where it counts for a slope. */
+  private static final double OVERHEAD = 2;
 
   /**
    * The line through the points.
@@ -33,19 +33,23 @@ public record Curve(Truth truth, List<Measurement> points, double truncation, bo
 
   /**
    * Fits error against cost. A single sample is left out, as it lies in the middle of its pixel
-   * whatever the seed, and so are points without an error or a truth to trust.
+   * whatever the seed, and so are points without an error or a truth to trust, and those where a
+   * sample costs more than twice as much as in the end: what starts a render counts there.
    *
-   * @return nothing if fewer than three points remain, or they cost about the same
+   * @return nothing if fewer than three points remain
    */
   public Optional<Trend> trend(Cost cost) {
+    double usual = perSample(points.get(points.size() - 1), cost);
     List<Measurement> used = new ArrayList<>();
     for (Measurement point : points) {
-      if (point.samples() > 1 && point.trusted() && point.error().levels() > NONE) {
+      if (point.samples() > 1
+          && point.trusted()
+          && point.error().levels() > NONE
+          && perSample(point, cost) <= OVERHEAD * usual) {
         used.add(point);
       }
     }
-    if (used.size() < FEWEST
-        || used.get(used.size() - 1).cost(cost) < SPAN * used.get(0).cost(cost)) {
+    if (used.size() < FEWEST) {
       return Optional.empty();
     }
     int runs = used.get(0).runs().size();
@@ -55,6 +59,10 @@ public record Curve(Truth truth, List<Measurement> points, double truncation, bo
     }
     Interval interval = Interval.bootstrap(runs, drawn -> fit(used, cost, drawn).slope());
     return Optional.of(new Trend(fit(used, cost, all), interval));
+  }
+
+  private static double perSample(Measurement point, Cost cost) {
+    return point.cost(cost) / point.samples();
   }
 
   private static PowerLaw fit(List<Measurement> points, Cost cost, int[] drawn) {

@@ -69,10 +69,19 @@ class AnswersTest {
     Scene scene = scene(shallow, deep, shallow);
     Answers answers = Answers.of(scene).orElseThrow();
     assertEquals(List.of(shallow, shallow), answers.expectations());
-    RenderSettings settings = new RenderSettings(80, 60, 4, 7, OptionalInt.of(9), 2, 16, Set.of());
-    assertEquals(
-        new RenderSettings(3, 2, 4, 7, OptionalInt.of(2), 2, 16, Set.of()),
-        answers.settings(scene, settings));
+  }
+
+  @Test
+  void aSceneThatSaysSomethingKeepsItsSizeAndTheDepthOfItsAnswers() {
+    OptionalInt nine = OptionalInt.of(9);
+    RenderSettings asked = new RenderSettings(80, 60, 4, 7, nine, 2, 16, Set.of());
+    assertEquals(asked, Answers.settings(scene(), asked));
+    Scene centre = scene(pixel(0, 0, Rgb.WHITE, 1, OptionalInt.of(2)));
+    RenderSettings own = new RenderSettings(3, 2, 4, 7, nine, 2, 16, Set.of());
+    assertEquals(own, Answers.settings(centre, asked));
+    Scene shallow = scene(pixel(0, 0, Rgb.WHITE, 4, OptionalInt.of(2)));
+    RenderSettings two = new RenderSettings(3, 2, 4, 7, OptionalInt.of(2), 2, 16, Set.of());
+    assertEquals(two, Answers.settings(shallow, asked));
   }
 
   @Test

@@ -18,7 +18,6 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
-import java.util.Optional;
 import java.util.Set;
 import java.util.concurrent.CancellationException;
 
@@ -74,9 +73,7 @@ final class ReportRun {
   private void measure(Job job) {
     Scene scene = job.scene();
     try {
-      Optional<Answers> answers = Answers.of(scene);
-      RenderSettings asked = options.settings(scene, 1, Set.of());
-      RenderSettings settings = answers.map(a -> a.settings(scene, asked)).orElse(asked);
+      RenderSettings settings = Answers.settings(scene, options.settings(scene, 1, Set.of()));
       Memory.check(settings.width(), settings.height(), EXTRA_IMAGES);
       Prepared prepared = Prepared.of(scene);
       Study.Render render =
@@ -86,7 +83,7 @@ final class ReportRun {
             return renderer.render(Progress.NONE);
           };
       Study study = new Study(render, settings, options.samples, options.timeLimit);
-      Curve curve = study.run(answers, scene.transfer());
+      Curve curve = study.run(Answers.of(scene), scene.transfer());
       String file = job.file().toString();
       int width = settings.width();
       entries.add(

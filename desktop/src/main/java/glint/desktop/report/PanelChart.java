@@ -123,8 +123,9 @@ final class PanelChart {
     grid();
     List<Measurement> points = new ArrayList<>();
     drawn(entry.uniform()).forEach(points::add);
-    Measurement first = points.get(0);
-    double factor = error(first) * Math.sqrt(first.cost(cost));
+    // Two samples are the first that a random sampler would place as well
+    Measurement second = points.get(Math.min(1, points.size() - 1));
+    double factor = error(second) * Math.sqrt(second.cost(cost));
     line(new PowerLaw(factor, -0.5), points, "#999", "1 3");
     entry.uniform().trend(cost).ifPresent(trend -> line(trend.law(), points, "#d55e00", "5 3"));
     for (Measurement point : points) {

@@ -79,8 +79,8 @@ final class ReportPage {
             "Every figure is of "
                 + Study.RUNS
                 + " runs with different seeds: errors are root mean squares over them, seconds"
-                + " their median, of tracing alone, after a warm-up. All pixels have as many samples"
-                + " as all others. A single sample lies in the middle of its pixel. The slope is"
+                + " their median, of tracing alone, after a warm-up; below a millisecond the"
+                + " start of the workers counts for more than the rays. A single sample lies in the middle of its pixel. The slope is"
                 + " that of the line of least squares through the logarithms of error and rays,"
                 + " without the single sample, with its 95 % bootstrap interval over the runs:"
                 + " random samples would have -1/2. An error below a millionth of a level is"
@@ -109,7 +109,7 @@ final class ReportPage {
       List<String> row = new ArrayList<>();
       row.add(entry.name());
       row.add(curve.truth().origin());
-      row.add(curve.truth().uncertainty() == 0 ? "–" : level(curve.truth().uncertainty()));
+      row.add(level(curve.truth().uncertainty()));
       for (int i = 0; i < most; i += 2) {
         row.add(i < curve.points().size() ? error(curve.points().get(i)) : "–");
       }
