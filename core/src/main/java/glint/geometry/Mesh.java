@@ -96,6 +96,9 @@ public final class Mesh implements Surface {
     if (groups.length != triangles() && groups.length > 0) {
       throw new IllegalArgumentException("every triangle needs a smoothing group, or 0");
     }
+    if (given.isEmpty() && groups.length == 0) {
+      return new Mesh(this, CornerValues.NONE, texture, parts);
+    }
     return new Mesh(this, new NormalFinder(points, corners, given).byGroup(groups), texture, parts);
   }
 

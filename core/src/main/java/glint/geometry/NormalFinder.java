@@ -28,16 +28,10 @@ final class NormalFinder {
     this.corners = corners;
     indices = new int[corners.length];
     Arrays.fill(indices, -1);
-    normals = new double[3 * given.count() + 48];
     used = 3 * given.count();
+    normals = new double[used];
     for (int i = 0; i < given.count(); i++) {
-      Vector3d v = new Vector3d(given.value(i, 0), given.value(i, 1), given.value(i, 2));
-      if (v.maxAbs() > 0) {
-        Vector3d unit = v.normalized();
-        normals[3 * i] = unit.x();
-        normals[3 * i + 1] = unit.y();
-        normals[3 * i + 2] = unit.z();
-      }
+      setUnit(3 * i, given.value(i, 0), given.value(i, 1), given.value(i, 2));
     }
     for (int i = 0; i < indices.length; i++) {
       boolean has = given.has(i) && !isZero(given.index(i));
@@ -60,20 +54,29 @@ final class NormalFinder {
   }
 
   private CornerValues find(int[] groups, double cos) {
-    int[] wanted = new int[indices.length];
     int count = 0;
     for (int i = 0; i < indices.length; i++) {
-      if (indices[i] < 0 && (groups == null || groups.length > 0 && groups[i / 3] != 0)) {
-        wanted[count++] = i;
-      }
+      count += isWanted(i, groups) ? 1 : 0;
     }
     if (count > 0) {
-      findFans(Arrays.copyOf(wanted, count), groups, cos);
+      int[] wanted = new int[count];
+      for (int i = indices.length - 1; i >= 0; i--) {
+        if (isWanted(i, groups)) {
+          wanted[--count] = i;
+        }
+      }
+      findFans(wanted, groups, cos);
     }
     completeTriangles();
-    return isFlat()
-        ? CornerValues.NONE
-        : new CornerValues(3, Arrays.copyOf(normals, used), indices);
+    if (isFlat()) {
+      return CornerValues.NONE;
+    }
+    boolean exact = used == normals.length;
+    return new CornerValues(3, exact ? normals : Arrays.copyOf(normals, used), indices);
+  }
+
+  private boolean isWanted(int corner, int[] groups) {
+    return indices[corner] < 0 && (groups == null || groups.length > 0 && groups[corner / 3] != 0);
   }
 
   private void findFans(int[] wanted, int[] groups, double cos) {
@@ -124,19 +127,34 @@ final class NormalFinder {
 
   /** Adds a normal in a direction; returns its number, or -1 if the direction is zero. */
   private int put(double x, double y, double z) {
-    Vector3d sum = new Vector3d(x, y, z);
-    if (!(sum.maxAbs() > 0)) {
-      return -1;
-    }
-    Vector3d unit = sum.normalized();
     if (used + 3 > normals.length) {
       normals = Arrays.copyOf(normals, used + Math.max(48, used / 2 / 3 * 3));
     }
-    normals[used] = unit.x();
-    normals[used + 1] = unit.y();
-    normals[used + 2] = unit.z();
+    if (!setUnit(used, x, y, z)) {
+      return -1;
+    }
     used += 3;
     return used / 3 - 1;
+  }
+
+  /**
+   * Sets a normal to the unit vector of a direction, as {@link Vector3d#normalized} does; leaves it
+   * and returns false if the direction is zero.
+   */
+  private boolean setUnit(int at, double x, double y, double z) {
+    double largest = Math.max(Math.abs(x), Math.max(Math.abs(y), Math.abs(z)));
+    if (!(largest > 0)) {
+      return false;
+    }
+    int exponent = Math.getExponent(largest);
+    double sx = Math.scalb(x, -exponent);
+    double sy = Math.scalb(y, -exponent);
+    double sz = Math.scalb(z, -exponent);
+    double length = Math.sqrt(sx * sx + sy * sy + sz * sz);
+    normals[at] = sx / length;
+    normals[at + 1] = sy / length;
+    normals[at + 2] = sz / length;
+    return true;
   }
 
   /** Gives its face's normal to what has none at a triangle of which another corner has one. */
