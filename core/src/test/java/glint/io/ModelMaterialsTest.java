@@ -193,7 +193,7 @@ class ModelMaterialsTest {
             "mtllib a.mtl\n"
                 + FOUR
                 + "usemtl red # as blood\nf 1 2 3\nusemtl Material #2\nf 1 2 3\n"
-                + "usemtl Material #2 #twice\nf 1 2 3\n");
+                + "usemtl Material #2 #once #twice\nf 1 2 3\n");
     assertEquals(List.of(), found.notes());
     assertTrue(found.parts().stream().allMatch(part -> part.material().isPresent()));
   }

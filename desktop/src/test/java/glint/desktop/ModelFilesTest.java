@@ -165,7 +165,9 @@ class ModelFilesTest {
     assertEquals(paint + ":2:8: expected a number, but found 'x'", run.errLines().get(0));
     Run replay = Run.of("replay", file, "--scene", "with", "--pixel", "10,7", "--samples", "1");
     assertEquals(1, replay.exitCode());
+    Files.writeString(model, "mtllib " + paint.toAbsolutePath() + "\nusemtl red\n" + SQUARE);
     Files.writeString(paint, "newmtl red\nKd 0 1 0\n");
+    assertEquals(file + ": 2 scenes, no problems", Run.of("check", file).out().trim());
     replay = Run.of("replay", file, "--scene", "with", "--pixel", "10,7", "--samples", "1");
     assertTrue(replay.out().contains("surface 0 (mesh of red, line 8)"), replay.out());
   }
