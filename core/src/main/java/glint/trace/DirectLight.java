@@ -74,7 +74,7 @@ final class DirectLight {
     g = emission.g() + ambient.g() * pattern.g() * everywhere.g();
     b = emission.b() + ambient.b() * pattern.b() * everywhere.b();
     if (recorder != null) {
-      recorder.glows(r, g, b);
+      recorder.glows(pattern, r, g, b);
     }
     boolean dull = material.specular().isBlack() || !plan.highlights().used();
     if (!plan.directLight().used() || (dull && material.diffuse().isBlack())) {

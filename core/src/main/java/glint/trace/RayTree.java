@@ -54,8 +54,9 @@ public record RayTree(
    *     counts
    * @param several whether surfaces coincide there
    * @param t the distance from the ray's origin
-   * @param normal of unit length, on the ray's side
-   * @param cos the cosine of the angle between them
+   * @param normal the surface's own, of unit length, on the ray's side
+   * @param shading the normal that light goes by; another one where a mesh stands for a curve
+   * @param cos the cosine of the angle between the ray and that
    * @param before the medium on the ray's side
    * @param boundary what is beyond, unless the surface is opaque
    */
@@ -65,6 +66,7 @@ public record RayTree(
       double t,
       Vector3d point,
       Vector3d normal,
+      Vector3d shading,
       double cos,
       Medium before,
       Optional<Boundary> boundary) {}
@@ -82,11 +84,12 @@ public record RayTree(
    * What a ray sees at its end.
    *
    * @param weight the share of it that reaches the eye, absorption on the way included
+   * @param pattern what a texture multiplies the surface's colour by; white without one
    * @param own the background, or what a surface gives whether lit or not: emission, ambient light
    * @param lights what each light adds; none where the surface answers none
    * @param radiance all of it
    */
-  public record Sight(Rgb weight, Rgb own, List<Lighting> lights, Rgb radiance) {
+  public record Sight(Rgb weight, Rgb pattern, Rgb own, List<Lighting> lights, Rgb radiance) {
 
     /** Returns what it adds to the sample. */
     public Rgb contribution() {

@@ -73,10 +73,13 @@ public final class RayTreeText {
     indent += "  ";
     ray.passed().forEach(hidden -> meeting("passes unseen ", hidden));
     ray.met().ifPresent(met -> meeting("meets ", met));
-    ray.sight().lights().forEach(this::light);
-    String own = ray.met().isPresent() ? "own light " : "meets nothing: background ";
-    line(own + color(ray.sight().own()));
     Sight sight = ray.sight();
+    if (!sight.pattern().equals(Rgb.WHITE)) {
+      line("texture " + color(sight.pattern()));
+    }
+    sight.lights().forEach(this::light);
+    String own = ray.met().isPresent() ? "own light " : "meets nothing: background ";
+    line(own + color(sight.own()));
     line(
         "gives " + color(sight.radiance()) + " at weight " + color(sight.weight()),
         "which adds " + sight.contribution());
@@ -89,6 +92,7 @@ public final class RayTreeText {
         "at t " + number(m.t()),
         "point " + point(m.point()),
         "normal " + point(m.normal()),
+        m.shading().equals(m.normal()) ? "" : "shading normal " + point(m.shading()),
         "cos " + number(m.cos()));
     if (m.boundary().isPresent()) {
       Boundary way = m.boundary().get();

@@ -38,6 +38,7 @@ public final class Recorder {
     final List<Lighting> lights = new ArrayList<>();
     final List<Cut> cuts = new ArrayList<>();
     Meeting met;
+    Rgb pattern = Rgb.WHITE;
     Rgb own;
     Sight sight;
 
@@ -102,7 +103,8 @@ public final class Recorder {
    * @param beyond the medium on the other side; not asked for if the surface is opaque
    */
   void meets(Ray ray, Hit hit, Boundary boundary, Medium before, Medium beyond) {
-    Vector3d normal = normal(hit);
+    Vector3d normal = new Vector3d(hit.nx, hit.ny, hit.nz);
+    Vector3d shading = new Vector3d(hit.sx, hit.sy, hit.sz);
     double cos = -(ray.dx * hit.sx + ray.dy * hit.sy + ray.dz * hit.sz);
     Optional<RayTree.Boundary> way =
         boundary.opaque
@@ -110,7 +112,15 @@ public final class Recorder {
             : Optional.of(new RayTree.Boundary(beyond, boundary.eta, 0));
     Meeting meeting =
         new Meeting(
-            boundary.surface, boundary.several, hit.t, point(hit), normal, cos, before, way);
+            boundary.surface,
+            boundary.several,
+            hit.t,
+            point(hit),
+            normal,
+            shading,
+            cos,
+            before,
+            way);
     if (boundary.opaque || boundary.visible) {
       last().met = meeting;
     } else {
@@ -130,13 +140,15 @@ public final class Recorder {
             m.t(),
             m.point(),
             m.normal(),
+            m.shading(),
             m.cos(),
             m.before(),
             Optional.of(way));
   }
 
-  /** The surface gives this, whether lit or not. */
-  void glows(double r, double g, double b) {
+  /** The surface, of a colour with this pattern, gives so much, whether lit or not. */
+  void glows(Rgb pattern, double r, double g, double b) {
+    last().pattern = pattern;
     last().own = new Rgb(r, g, b);
   }
 
@@ -160,7 +172,7 @@ public final class Recorder {
     Node node = last();
     Rgb radiance = new Rgb(r, g, b);
     Rgb own = node.met == null ? radiance : node.own;
-    node.sight = new Sight(weight(frame), own, List.copyOf(node.lights), radiance);
+    node.sight = new Sight(weight(frame), node.pattern, own, List.copyOf(node.lights), radiance);
   }
 
   /** Something that could come of the ray is not followed, and this much may be missing. */
@@ -192,9 +204,5 @@ public final class Recorder {
 
   private static Vector3d point(Hit hit) {
     return new Vector3d(hit.px, hit.py, hit.pz);
-  }
-
-  private static Vector3d normal(Hit hit) {
-    return new Vector3d(hit.sx, hit.sy, hit.sz);
   }
 }

@@ -203,6 +203,7 @@ class ModelMaterialsTest {
     files.put("a.mtl", "newmtl red\nKd 1 0 x\n");
     ModelMaterials found = materials("mtllib a.mtl\n" + FOUR + "usemtl red\nf 1 2 3\n");
     assertEquals(List.of("a.mtl:2:8: expected a number, but found 'x'"), lines(found.problems()));
+    assertEquals(List.of(), found.notes());
   }
 
   @Test

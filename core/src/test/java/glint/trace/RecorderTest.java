@@ -6,6 +6,8 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import glint.color.Rgb;
 import glint.geometry.Box;
+import glint.geometry.CornerValues;
+import glint.geometry.Mesh;
 import glint.geometry.Plane;
 import glint.geometry.Ray;
 import glint.geometry.Sphere;
@@ -14,6 +16,7 @@ import glint.math.Transform;
 import glint.math.Vector3d;
 import glint.optics.Material;
 import glint.optics.Medium;
+import glint.optics.Stripes;
 import glint.scene.Background;
 import glint.scene.Camera;
 import glint.scene.NamedMaterial;
@@ -225,5 +228,28 @@ class RecorderTest {
         the ray gives (0.125, 0.125, 0.125)
         """,
         String.join("\n", RayTreeText.of(Prepared.of(lights()), tree)) + "\n");
+  }
+
+  @Test
+  void shadingNormalsAndTexturesAreTold() {
+    double[] points = {-1, 1, -1, 1, 1, -1, 0, 1, 2};
+    CornerValues slanted = new CornerValues(3, new double[] {0.6, 0.8, 0}, new int[] {0, 0, 0});
+    Mesh curved = new Mesh(points, new int[] {0, 2, 1}).withNormals(slanted, new int[1]);
+    Material striped = MATT.textured(new Stripes(9, new Rgb(0.5, 0.25, 1), Rgb.BLACK));
+    Scene.Builder builder = floor().place(Placement.of(curved, striped));
+    Scene scene = builder.light(new Light.Directional(v(0, -1, 0), Rgb.WHITE)).build();
+    RayTree tree = trace(scene, 0, v(0.1, 2, 0.1), v(0, -1, 0));
+    RayTree.Meeting met = tree.met().orElseThrow();
+    assertEquals(v(0, 1, 0), met.normal());
+    assertEquals(0.6, met.shading().x(), 1e-15);
+    assertEquals(0.8, met.cos(), 1e-15);
+    assertEquals(new Rgb(0.5, 0.25, 1), tree.sight().pattern());
+    List<String> lines = RayTreeText.of(Prepared.of(scene), tree);
+    assertEquals(
+        "  meets surface 1 (mesh), at t 1, point (0.1, 1, 0.1), normal (0, 1, 0),"
+            + " shading normal (0.6, 0.8, 0), cos 0.8",
+        lines.get(1));
+    assertEquals("  texture (0.5, 0.25, 1)", lines.get(2));
+    assertEquals("  light 0 (directional) is seen, cos 0.8, adds (0.2, 0.1, 0.4)", lines.get(3));
   }
 }
