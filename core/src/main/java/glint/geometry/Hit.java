@@ -168,6 +168,11 @@ public final class Hit {
     return 2 * offset / Math.abs(ray.dx * nx + ray.dy * ny + ray.dz * nz);
   }
 
+  /** Returns how far ahead of this point a ray of unit direction that was spawned here starts. */
+  public double lead(Ray ray) {
+    return offset * Math.abs(ray.dx * nx + ray.dy * ny + ray.dz * nz);
+  }
+
   /** Turns the normal to the side that a ray comes from; light sees the same one. */
   public void face(Ray ray) {
     side = ray.dx * nx + ray.dy * ny + ray.dz * nz > 0 ? -1 : 1;

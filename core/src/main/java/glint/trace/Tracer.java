@@ -264,6 +264,7 @@ public final class Tracer {
     double length = Math.sqrt(dx * dx + dy * dy + dz * dz);
     hit.spawn(dx / length, dy / length, dz / length, 1, ray);
     f.begin(Double.POSITIVE_INFINITY, f.weightR, f.weightG, f.weightB);
+    f.from = plan.refraction().used() ? -hit.lead(ray) : 0;
     counts.reflection++;
   }
 
@@ -306,6 +307,7 @@ public final class Tracer {
     double dz = tz - cosOut * hit.sz;
     hit.spawn(dx, dy, dz, -1, through.ray);
     through.begin(Double.POSITIVE_INFINITY, wr, wg, wb);
+    through.from = -hit.lead(through.ray);
     if (boundary.several) { // what coincides here is crossed already
       through.ray.tMin = hit.clearance(through.ray);
     }

@@ -8,6 +8,7 @@ import glint.verify.Verdict;
 import java.io.PrintWriter;
 import java.nio.file.Path;
 import java.util.List;
+import java.util.OptionalInt;
 import java.util.Set;
 
 /** Checks what the scenes of some files say of their own pictures. */
@@ -98,16 +99,20 @@ final class SceneVerification {
     return grey ? "" + color.r() : "[" + color.r() + ", " + color.g() + ", " + color.b() + "]";
   }
 
-  /** Returns the command that shows where a value comes from. */
+  /**
+   * Returns the command that shows where a value comes from. It states the depth, as rays are then
+   * followed as far as a fine tolerance asks.
+   */
   private static String command(Job job, Expectation e) {
     Scene scene = job.scene();
+    int depth = scene.maxDepth().orElse(RenderSettings.DEFAULT_DEPTH);
     RenderSettings settings =
         new RenderSettings(
             scene.width(),
             scene.height(),
             e.samples(),
             0,
-            e.maxDepth(),
+            OptionalInt.of(e.maxDepth().orElse(depth)),
             1,
             RenderSettings.DEFAULT_TILE,
             Set.of());

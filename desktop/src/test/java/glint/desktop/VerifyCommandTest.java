@@ -73,7 +73,7 @@ class VerifyCommandTest {
     said =
         "WRONG: mean must be 0.5, but is [0.5, 0.25, 0.0]; to see it: glint render "
             + file
-            + " --scene 'my (two)' --samples 4";
+            + " --scene 'my (two)' --samples 4 --depth 64";
     assertTrue(run.out().contains(said), run.out());
     assertTrue(run.out().endsWith("2 cases, 2 wrong\n"), run.out());
   }
