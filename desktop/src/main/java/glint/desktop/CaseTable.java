@@ -63,6 +63,19 @@ final class CaseTable {
     }
   }
 
+  /** Adds a row and, below it, the command that shows what is wrong with it. */
+  void add(Outcome o, String command) {
+    if (o.passed()) {
+      add(o);
+    } else if (json) {
+      String what = o.what() + "; to see it: " + command;
+      add(new Outcome(o.id(), what, o.tried(), o.wrong(), o.worst(), o.bound(), o.unit()));
+    } else {
+      add(o);
+      out.println("  to see it: " + command);
+    }
+  }
+
   private static String unit(Outcome o) {
     return " [" + o.unit() + "]";
   }

@@ -4,6 +4,7 @@ import glint.color.Rgb;
 import glint.render.RenderSettings;
 import glint.scene.Expectation;
 import glint.scene.Scene;
+import glint.verify.Outcome;
 import glint.verify.Verdict;
 import java.io.PrintWriter;
 import java.nio.file.Path;
@@ -56,7 +57,9 @@ final class SceneVerification {
       Memory.check(scene.width(), scene.height(), 0);
       List<Verdict> verdicts = Verdict.of(scene, Runtime.getRuntime().availableProcessors());
       for (int i = 0; i < verdicts.size(); i++) {
-        table.add(verdicts.get(i).outcome(id(scene, i), what(job, verdicts.get(i))));
+        Verdict verdict = verdicts.get(i);
+        Outcome row = verdict.outcome(id(scene, i), what(verdict));
+        table.add(row, command(job, verdict.expectation()));
       }
     } catch (RunException | RuntimeException | OutOfMemoryError | StackOverflowError e) {
       fail(scene.name() + ": " + Reasons.of(e));
@@ -78,7 +81,7 @@ final class SceneVerification {
     return id(job.scene(), job.scene().expectations().size() - 1).length();
   }
 
-  private static String what(Job job, Verdict verdict) {
+  private static String what(Verdict verdict) {
     Expectation e = verdict.expectation();
     String place = e.pixel().map(p -> "pixel " + p.x() + "," + p.y()).orElse("mean");
     if (verdict.passed()) {
@@ -89,9 +92,7 @@ final class SceneVerification {
         + words(e.value())
         + ", but is "
         + words(verdict.actual())
-        + (verdict.invalid() == 0 ? "" : "; " + verdict.invalid() + " samples are no numbers")
-        + "; to see it: "
-        + command(job, e);
+        + (verdict.invalid() == 0 ? "" : "; " + verdict.invalid() + " samples are no numbers");
   }
 
   private static String words(Rgb color) {

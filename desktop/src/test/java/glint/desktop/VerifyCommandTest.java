@@ -65,16 +65,15 @@ class VerifyCommandTest {
     Path file = write("a.yaml", scene("one", wrong), scene("my (two)", alsoWrong));
     Run run = Run.of("verify", file);
     assertEquals(1, run.exitCode());
-    String said =
-        "WRONG: pixel 1,1 must be [1.0, 0.75, 0.0], but is [1.0, 0.5, 0.0]; to see it: glint replay "
-            + file
-            + " --scene one --pixel 1,1 --samples 1 --depth 3";
-    assertTrue(run.out().contains(said), run.out());
-    said =
-        "WRONG: mean must be 0.5, but is [0.5, 0.25, 0.0]; to see it: glint render "
-            + file
-            + " --scene 'my (two)' --samples 4 --depth 64";
-    assertTrue(run.out().contains(said), run.out());
+    List<String> lines = run.out().lines().toList();
+    String said = "WRONG: pixel 1,1 must be [1.0, 0.75, 0.0], but is [1.0, 0.5, 0.0] [radiance]";
+    assertTrue(lines.get(1).endsWith(said), run.out());
+    said = "  to see it: glint replay " + file + " --scene one --pixel 1,1 --samples 1 --depth 3";
+    assertEquals(said, lines.get(2));
+    said = "WRONG: mean must be 0.5, but is [0.5, 0.25, 0.0] [radiance]";
+    assertTrue(lines.get(3).endsWith(said), run.out());
+    said = "  to see it: glint render " + file + " --scene 'my (two)' --samples 4 --depth 64";
+    assertEquals(said, lines.get(4));
     assertTrue(run.out().endsWith("2 cases, 2 wrong\n"), run.out());
   }
 
@@ -92,6 +91,7 @@ class VerifyCommandTest {
     assertEquals(
         Set.of("id", "what", "tried", "wrong", "worst", "bound", "unit", "passed"), row.keySet());
     assertEquals("half", row.get("id").getAsString());
+    assertTrue(row.get("what").getAsString().contains("; to see it: glint render "), run.out());
     assertEquals(1, row.get("tried").getAsLong());
     assertEquals(1, row.get("wrong").getAsLong());
     assertEquals(0.125, row.get("worst").getAsDouble());
