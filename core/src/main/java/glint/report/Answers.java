@@ -75,7 +75,7 @@ public record Answers(List<Expectation> expectations, Transfer transfer) impleme
 
   @Override
   public String origin() {
-    if (expectations.get(0).pixel().isEmpty()) {
+    if (!expectations.get(0).pixel().isPresent()) {
       return "exact mean";
     }
     return expectations.size() == 1 ? "exact pixel" : expectations.size() + " exact pixels";

@@ -131,7 +131,7 @@ public final class Recorder {
   /** The boundary that the ray meets reflects a share of it. */
   void splits(double reflected) {
     Meeting m = last().met;
-    RayTree.Boundary way = m.boundary().orElseThrow();
+    RayTree.Boundary way = m.boundary().get();
     way = new RayTree.Boundary(way.beyond(), way.eta(), reflected);
     last().met =
         new Meeting(

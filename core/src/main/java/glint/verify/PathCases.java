@@ -50,7 +50,7 @@ final class PathCases {
           tree.children().stream()
               .filter(child -> child.kind() == RayTree.Kind.REFRACTION)
               .findAny()
-              .orElseThrow();
+              .get();
     }
     return tree;
   }
