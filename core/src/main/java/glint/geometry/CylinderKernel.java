@@ -233,6 +233,7 @@ final class CylinderKernel {
     double wy = fy - s * ay;
     double wz = fz - s * az;
     int part = (int) hit.u;
+    hit.curved = part == SIDE;
     if (part == SIDE) {
       s = Math.min(Math.max(s, 0), height);
       double length2 = wx * wx + wy * wy + wz * wz;

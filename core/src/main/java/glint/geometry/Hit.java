@@ -72,6 +72,9 @@ public final class Hit {
   /** The number of the surface, in scene order. */
   public int surface;
 
+  /** Whether the surface is curved there, so that its normal turns from place to place. */
+  public boolean curved;
+
   /** How far along the normal a point is certain to lie off the surface, in scene units. */
   double offset;
 
@@ -210,6 +213,7 @@ public final class Hit {
     side = other.side;
     surface = other.surface;
     offset = other.offset;
+    curved = other.curved;
   }
 
   /** Turns the inside out. */

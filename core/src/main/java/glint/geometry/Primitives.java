@@ -167,6 +167,7 @@ public final class Primitives {
   }
 
   private void resolve(int k, int at, Ray ray, Hit hit) {
+    hit.curved = false;
     switch (k) {
       case SPHERE -> SphereKernel.resolve(data, at, ray, hit);
       case TRIANGLE -> TriangleKernel.resolve(data, at, hit);

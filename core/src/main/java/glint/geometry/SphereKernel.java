@@ -64,6 +64,7 @@ final class SphereKernel {
 
   /** Projects the point onto the sphere; the offset bounds its rounding (see docs/numerics.md). */
   static void resolve(double[] data, int at, Ray ray, Hit hit) {
+    hit.curved = true;
     double cx = data[at];
     double cy = data[at + 1];
     double cz = data[at + 2];

@@ -1,6 +1,6 @@
 package glint.render;
 
-/** An extra picture of what the ray through each pixel's centre sees first. */
+/** An extra picture: of what the ray through each pixel's centre sees first, or of the render. */
 public enum Aov {
   /** The distance from the eye along the ray, in scene units; infinite where nothing is seen. */
   DEPTH,
@@ -9,5 +9,9 @@ public enum Aov {
   /** The material's diffuse colour; black where nothing is seen. */
   ALBEDO,
   /** The number of the surface in scene order, from 0; -1 where nothing is seen. */
-  ID
+  ID,
+  /** The camera rays that the pixel took. */
+  SAMPLES,
+  /** The estimate of the pixel's RMS error, in display levels; 0 where none is made. */
+  ERROR
 }

@@ -1,21 +1,14 @@
 package glint.render;
 
-import glint.geometry.Hit;
-import glint.geometry.Ray;
 import glint.scene.Prepared;
-import glint.scene.View;
-import glint.trace.RayCounts;
 import glint.trace.Recorder;
-import glint.trace.Tracer;
 
 /** Traces the samples of one pixel after another and takes their mean; one per thread. */
 final class PixelSampler {
 
   private final boolean centred;
-  private final View view;
-  private final Tracer tracer;
+  private final Probe probe;
   private final SobolSampler places;
-  private final Ray ray = new Ray();
   private int column;
   private int row;
   private double r;
@@ -31,10 +24,7 @@ final class PixelSampler {
    */
   PixelSampler(Prepared scene, RenderSettings settings, Recorder recorder) {
     centred = settings.samples() == 1;
-    view = new View(scene.scene().camera(), settings.width(), settings.height());
-    int stated = scene.scene().maxDepth().orElse(RenderSettings.DEFAULT_DEPTH);
-    int depth = settings.maxDepth().orElse(stated);
-    tracer = new Tracer(scene, depth, settings.negligible(), recorder);
+    probe = new Probe(scene, settings, recorder);
     places = new SobolSampler(settings.seed());
   }
 
@@ -53,15 +43,13 @@ final class PixelSampler {
   /** Traces a sample of the pixel; returns whether it is finite and counts. */
   boolean add(int index) {
     place(index);
-    double end = view.ray(column + places.x, row + places.y, ray);
-    tracer.trace(ray, end);
-    if (!Double.isFinite(tracer.r + tracer.g + tracer.b)) {
+    if (!probe.trace(column + places.x, row + places.y)) {
       return false;
     }
-    r += tracer.r;
-    g += tracer.g;
-    b += tracer.b;
-    cut += tracer.cut;
+    r += probe.r();
+    g += probe.g();
+    b += probe.b();
+    cut += probe.cut();
     valid++;
     return true;
   }
@@ -99,10 +87,8 @@ final class PixelSampler {
     return cut / valid;
   }
 
-  /** Sets a ray through the pixel's centre; returns what it sees first. */
-  Hit look(Ray out) {
-    double end = view.ray(column + 0.5, row + 0.5, out);
-    return tracer.look(out, end);
+  Probe probe() {
+    return probe;
   }
 
   /** Returns where in the pixel the last sample was placed, 0 to 1 from the left. */
@@ -113,9 +99,5 @@ final class PixelSampler {
   /** Returns where in the pixel the last sample was placed, 0 to 1 from the top. */
   double placeY() {
     return places.y;
-  }
-
-  RayCounts counts() {
-    return tracer.counts();
   }
 }

@@ -10,7 +10,7 @@ import java.util.Set;
  *
  * @param width columns of the image
  * @param height rows of the image
- * @param samples samples of every pixel, at least 1
+ * @param goal when the image is good enough
  * @param seed chooses another randomisation of the sample sequence
  * @param maxDepth the most successive bounces; if absent, what the scene states, or else {@link
  *     #DEFAULT_DEPTH}
@@ -22,7 +22,7 @@ import java.util.Set;
 public record RenderSettings(
     int width,
     int height,
-    int samples,
+    Goal goal,
     long seed,
     OptionalInt maxDepth,
     double negligible,
@@ -39,11 +39,14 @@ public record RenderSettings(
   /** Bounces where neither the user nor the scene sets a limit and no light is lost by them. */
   public static final int DEFAULT_DEPTH = 64;
 
-  /** Samples of a pixel where the user does not say. */
+  /** Samples of a pixel where a number is needed and the user does not say. */
   public static final int DEFAULT_SAMPLES = 16;
 
   /** The most samples of a pixel. */
   public static final int MAX_SAMPLES = 1 << 24;
+
+  /** The error that is accepted where the user does not say, in display levels. */
+  public static final Goal DEFAULT_GOAL = new Goal.Error(1);
 
   /** The largest limit of bounces. */
   public static final int MAX_DEPTH = 1 << 20;
@@ -60,7 +63,6 @@ public record RenderSettings(
   /** Checks the ranges. */
   public RenderSettings {
     Scene.checkSize(width, height);
-    Check.range("samples", samples, 1, MAX_SAMPLES);
     Check.range("depth", maxDepth.orElse(0), 0, MAX_DEPTH);
     Check.range("negligible", negligible, 0, Double.MAX_VALUE);
     Check.range("threads", threads, 1, MAX_THREADS);
@@ -72,7 +74,7 @@ public record RenderSettings(
   public RenderSettings(
       int width,
       int height,
-      int samples,
+      Goal goal,
       long seed,
       OptionalInt maxDepth,
       int threads,
@@ -81,7 +83,7 @@ public record RenderSettings(
     this(
         width,
         height,
-        samples,
+        goal,
         seed,
         maxDepth,
         maxDepth.isPresent() ? EXACT : NEGLIGIBLE,
@@ -92,8 +94,7 @@ public record RenderSettings(
 
   /** Returns these settings, but following every bounce that can bring more than a radiance. */
   public RenderSettings following(double least) {
-    return new RenderSettings(
-        width, height, samples, seed, maxDepth, least, threads, tileSize, aovs);
+    return new RenderSettings(width, height, goal, seed, maxDepth, least, threads, tileSize, aovs);
   }
 
   /** Returns the settings of a plain render of a scene on all cores. */
@@ -101,12 +102,37 @@ public record RenderSettings(
     return new RenderSettings(
         scene.width(),
         scene.height(),
-        DEFAULT_SAMPLES,
+        DEFAULT_GOAL,
         0,
         OptionalInt.empty(),
         Runtime.getRuntime().availableProcessors(),
         DEFAULT_TILE,
         Set.of());
+  }
+
+  /** Takes exactly so many samples of every pixel. */
+  public RenderSettings(
+      int width,
+      int height,
+      int samples,
+      long seed,
+      OptionalInt maxDepth,
+      int threads,
+      int tileSize,
+      Set<Aov> aovs) {
+    this(width, height, new Goal.Samples(samples), seed, maxDepth, threads, tileSize, aovs);
+  }
+
+  /**
+   * Returns the number of samples of every pixel.
+   *
+   * @throws IllegalStateException if the goal is none
+   */
+  public int samples() {
+    if (goal instanceof Goal.Samples exactly) {
+      return exactly.count();
+    }
+    throw new IllegalStateException("a render to an error has no fixed number of samples");
   }
 
   /** Returns the same with other samples. */

@@ -22,6 +22,7 @@ final class DirectLight {
   private final Illumination lights;
   private final Intersector intersector;
   private final RayCounts counts;
+  private final Signature signature;
   private final Ray shadowRay = new Ray();
   private final Hit blocker = new Hit();
   private final LightSample light = new LightSample();
@@ -46,13 +47,19 @@ final class DirectLight {
   private double passG;
   private double passB;
 
-  DirectLight(Prepared scene, Intersector intersector, RayCounts counts, Recorder recorder) {
+  DirectLight(
+      Prepared scene,
+      Intersector intersector,
+      RayCounts counts,
+      Signature signature,
+      Recorder recorder) {
     this.scene = scene;
     this.recorder = recorder;
     this.plan = scene.plan();
     this.lights = scene.lights();
     this.intersector = intersector;
     this.counts = counts;
+    this.signature = signature;
     interior = new Interior(scene);
     boundary = new Boundary(scene, intersector);
   }
@@ -66,7 +73,11 @@ final class DirectLight {
    */
   void find(int surface, Hit hit, Ray ray, Interior around) {
     Material material = scene.material(surface);
-    pattern = plan.textures().used() ? scene.texture(surface, hit) : Rgb.WHITE;
+    pattern = Rgb.WHITE;
+    if (plan.textures().used()) {
+      pattern = scene.texture(surface, hit);
+      signature.add(pattern);
+    }
     Rgb emission = material.emission();
     Rgb ambient = material.ambient();
     Rgb everywhere = lights.ambient();
@@ -102,6 +113,7 @@ final class DirectLight {
     }
     Rgb diffuse = material.diffuse();
     Rgb specular = material.specular();
+    signature.add(i);
     boolean shiny = plan.highlights().used() && !specular.isBlack();
     double lobe = shiny ? highlight(hit, ray, cos, material.shininess()) : 0;
     double addR = passR * (light.r * (diffuse.r() * pattern.r() * cos + specular.r() * lobe));
@@ -168,6 +180,7 @@ final class DirectLight {
         return false;
       }
       if (boundary.visible) {
+        signature.add(boundary.surface);
         absorb((t - from) * length);
         from = t;
         Rgb transparency = boundary.material().transparency();

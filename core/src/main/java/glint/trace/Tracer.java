@@ -22,6 +22,9 @@ import java.util.List;
  */
 public final class Tracer {
 
+  /** In a signature: nothing was met. */
+  private static final long SKY = -1;
+
   private final Prepared scene;
   private final RenderPlan plan;
   private final int maxDepth;
@@ -31,6 +34,7 @@ public final class Tracer {
   private final RayCounts counts = new RayCounts();
   private final Hit hit = new Hit();
   private final Boundary boundary;
+  private final Signature signature = new Signature();
   private final DirectLight direct;
   private final StartMedia start;
 
@@ -70,8 +74,16 @@ public final class Tracer {
     double bound = scene.radianceBound();
     this.least = negligible / (bound < Double.POSITIVE_INFINITY ? bound : 1);
     boundary = new Boundary(scene, intersector);
-    direct = new DirectLight(scene, intersector, counts, recorder);
+    direct = new DirectLight(scene, intersector, counts, signature, recorder);
     start = new StartMedia(scene, intersector);
+  }
+
+  /**
+   * Returns what the last call of {@link #trace} met, in one number: rays of equal numbers met the
+   * same faces in the same light.
+   */
+  public long signature() {
+    return signature.value();
   }
 
   /** Returns the rays traced so far. */
@@ -90,6 +102,7 @@ public final class Tracer {
     g = 0;
     b = 0;
     cut = 0;
+    signature.clear();
     counts.camera++;
     Frame first = frame(0);
     first.ray.copy(ray);
@@ -127,9 +140,11 @@ public final class Tracer {
         recorder.follows(f, level, depth, depth > bounces);
       }
       if (!advance(f)) {
+        signature.add(SKY);
         addBackground(f);
         return;
       }
+      signature.add(hit, boundary.surface);
       Material material = scene.material(boundary.surface);
       direct.find(boundary.surface, hit, f.ray, f.interior);
       add(f, direct.r, direct.g, direct.b);
@@ -152,6 +167,7 @@ public final class Tracer {
       f.weightG *= mirror.g() + share * fresnel.g();
       f.weightB *= mirror.b() + share * fresnel.b();
       boolean reflects = matters(f, depth + 1);
+      signature.add((reflects ? 1 : 0) + (refracts ? 2 : 0));
       if (reflects) {
         reflect(f);
       }

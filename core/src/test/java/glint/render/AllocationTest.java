@@ -21,19 +21,19 @@ class AllocationTest {
         new RenderSettings(97, 61, 8, 0, OptionalInt.empty(), 1, 32, Set.of());
     Worker worker =
         new Worker(
-            new Renderer(scene, settings),
             scene,
             settings,
-            new Image(97, 61),
-            new double[97 * 61],
-            Map.of());
+            new Image(settings.width(), settings.height()),
+            new double[settings.width() * settings.height()],
+            new Looker(scene, Map.of()),
+            () -> false);
     ThreadMXBean threads = (ThreadMXBean) ManagementFactory.getThreadMXBean();
     render(worker);
-    long raysBefore = worker.counts().total();
+    long raysBefore = worker.probe().counts().total();
     long bytesBefore = threads.getCurrentThreadAllocatedBytes();
     render(worker);
     long bytes = threads.getCurrentThreadAllocatedBytes() - bytesBefore;
-    long rays = worker.counts().total() - raysBefore;
+    long rays = worker.probe().counts().total() - raysBefore;
     assertTrue(bytes < rays, bytes + " bytes for " + rays + " rays");
   }
 

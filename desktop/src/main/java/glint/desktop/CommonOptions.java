@@ -1,6 +1,7 @@
 package glint.desktop;
 
 import glint.render.Aov;
+import glint.render.Goal;
 import glint.render.RenderSettings;
 import glint.scene.Scene;
 import java.nio.file.Path;
@@ -39,7 +40,7 @@ abstract class CommonOptions extends SamplingOptions {
   }
 
   /** Returns how to render a scene with so many samples of every pixel. */
-  RenderSettings settings(Scene scene, int samples, Set<Aov> aovs) {
-    return settings(scene, samples, threads, tile, aovs);
+  RenderSettings settings(Scene scene, Goal goal, Set<Aov> aovs) {
+    return settings(scene, goal, threads, tile, aovs);
   }
 }

@@ -11,6 +11,9 @@ final class Memory {
   /** Eight-bit codes, packed into an int, and a bound on what was not followed. */
   private static final long CODE_BYTES_PER_PIXEL = 12;
 
+  /** What is known of every pixel while it is refined: corners, edges, sums, estimates. */
+  private static final long REFINED_BYTES_PER_PIXEL = 84;
+
   private Memory() {}
 
   /**
@@ -19,8 +22,18 @@ final class Memory {
    * @throws RunException if Java may not use as much memory as they need
    */
   static void check(int width, int height, int extraImages) throws RunException {
+    check(width, height, extraImages, 0);
+  }
+
+  /** Checks the same for an image that is refined to an error. */
+  static void checkRefined(int width, int height, int extraImages) throws RunException {
+    check(width, height, extraImages, REFINED_BYTES_PER_PIXEL);
+  }
+
+  private static void check(int width, int height, int extraImages, long more) throws RunException {
     long pixels = (long) width * height;
-    long needed = pixels * (BYTES_PER_PIXEL * (1 + extraImages) + CODE_BYTES_PER_PIXEL);
+    long perPixel = BYTES_PER_PIXEL * (1 + extraImages) + CODE_BYTES_PER_PIXEL + more;
+    long needed = pixels * perPixel;
     long available = Runtime.getRuntime().maxMemory();
     if (needed > available) {
       throw new RunException(

@@ -32,6 +32,7 @@ final class RenderCommand implements Callable<Integer> {
 
   @Override
   public Integer call() throws RunException {
+    options.goal(); // complains before anything is read
     Reporter reporter = new Reporter(spec.commandLine().getErr(), options.quiet);
     try (Interrupt interrupt = Interrupt.install()) {
       return new Batch(filter, options, reporter, interrupt).run(files);

@@ -1,15 +1,24 @@
 package glint.desktop;
 
 import glint.render.Aov;
+import glint.render.Goal;
 import glint.render.RenderSettings;
 import glint.scene.Scene;
 import java.nio.file.Path;
 import java.util.EnumSet;
+import java.util.Map;
+import java.util.OptionalDouble;
+import java.util.OptionalInt;
 import java.util.Set;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
 import picocli.CommandLine.Option;
 
 /** The options of a render. */
 final class RenderOptions extends CommonOptions {
+
+  private static final Pattern TIME = Pattern.compile("([0-9]{1,9}(?:[.][0-9]{1,9})?)(s|m|h)");
+  private static final Map<String, Integer> UNITS = Map.of("s", 1, "m", 60, "h", 3600);
 
   /** A kind of image file. */
   enum Format {
@@ -28,7 +37,9 @@ final class RenderOptions extends CommonOptions {
   boolean resume;
 
   Format format = Format.PNG;
-  int samples = RenderSettings.DEFAULT_SAMPLES;
+  private OptionalInt samples = OptionalInt.empty();
+  private OptionalDouble maxError = OptionalDouble.empty();
+  private OptionalDouble timeLimit = OptionalDouble.empty();
   final Set<Aov> aovs = EnumSet.noneOf(Aov.class);
 
   @Option(
@@ -42,15 +53,41 @@ final class RenderOptions extends CommonOptions {
   @Option(
       names = "--samples",
       paramLabel = "N",
-      description = "Samples of every pixel; 1 is its centre (default: 16).")
+      description = "Exactly N samples of every pixel; 1 is its centre.")
   void samples(int n) {
-    samples = Words.inRange(command, "--samples", n, 1, RenderSettings.MAX_SAMPLES);
+    samples = OptionalInt.of(Words.inRange(command, "--samples", n, 1, RenderSettings.MAX_SAMPLES));
+  }
+
+  @Option(
+      names = "--max-error",
+      paramLabel = "E",
+      description = "Stop at an estimated RMS error of E display levels (default: 1).")
+  void maxError(double levels) {
+    if (!(levels > 0 && levels <= 255)) {
+      throw Words.wrong(
+          command, "--max-error must be more than 0 and at most 255, but is " + levels);
+    }
+    maxError = OptionalDouble.of(levels);
+  }
+
+  @Option(
+      names = "--time-limit",
+      paramLabel = "T",
+      description = "Stop rendering a scene after T, such as 30s or 5m.")
+  void timeLimit(String text) {
+    Matcher parts = TIME.matcher(text);
+    double seconds = parts.matches() ? Double.parseDouble(parts.group(1)) : 0;
+    if (!(seconds > 0)) {
+      throw Words.wrong(
+          command, "--time-limit must be a time such as 30s, 5m or 1h, but is '" + text + "'");
+    }
+    timeLimit = OptionalDouble.of(seconds * UNITS.get(parts.group(2)));
   }
 
   @Option(
       names = "--aov",
       paramLabel = "LIST",
-      description = "Extra PFM images: any of depth,normal,albedo,id.")
+      description = "Extra PFM images: any of depth,normal,albedo,samples,error,id.")
   void aov(String list) {
     for (String name : list.split(",", -1)) {
       aovs.add(Words.pick(command, "--aov", name, Aov.class));
@@ -69,6 +106,26 @@ final class RenderOptions extends CommonOptions {
 
   /** Returns how to render a scene. */
   RenderSettings settings(Scene scene) {
-    return settings(scene, samples, aovs);
+    return settings(scene, goal(), aovs);
+  }
+
+  /**
+   * Returns when an image is good enough.
+   *
+   * @throws picocli.CommandLine.ParameterException if options contradict each other
+   */
+  Goal goal() {
+    if (samples.isEmpty()) {
+      double levels = maxError.orElse(timeLimit.isPresent() ? 0 : 1);
+      return new Goal.Error(levels, timeLimit.orElse(Double.POSITIVE_INFINITY));
+    }
+    if (maxError.isPresent() || timeLimit.isPresent()) {
+      String other = maxError.isPresent() ? "--max-error" : "--time-limit";
+      throw Words.wrong(command, "--samples leaves nothing to " + other + ": give one of them");
+    }
+    if (aovs.contains(Aov.ERROR)) {
+      throw Words.wrong(command, "--aov error needs an estimate, which --samples does not make");
+    }
+    return new Goal.Samples(samples.getAsInt());
   }
 }

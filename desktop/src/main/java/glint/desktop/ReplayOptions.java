@@ -1,5 +1,6 @@
 package glint.desktop;
 
+import glint.render.Goal;
 import glint.render.RenderSettings;
 import glint.scene.Scene;
 import java.util.Set;
@@ -20,6 +21,6 @@ final class ReplayOptions extends SamplingOptions {
 
   /** Returns how the image is rendered. */
   RenderSettings settings(Scene scene) {
-    return settings(scene, samples, 1, RenderSettings.DEFAULT_TILE, Set.of());
+    return settings(scene, new Goal.Samples(samples), 1, RenderSettings.DEFAULT_TILE, Set.of());
   }
 }

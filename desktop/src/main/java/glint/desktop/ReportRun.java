@@ -2,6 +2,7 @@ package glint.desktop;
 
 import glint.desktop.report.Report;
 import glint.desktop.report.ReportFiles;
+import glint.render.Goal;
 import glint.render.Progress;
 import glint.render.RenderSettings;
 import glint.render.Renderer;
@@ -73,7 +74,8 @@ final class ReportRun {
   private void measure(Job job) {
     Scene scene = job.scene();
     try {
-      RenderSettings settings = Answers.settings(scene, options.settings(scene, 1, Set.of()));
+      RenderSettings asked = options.settings(scene, new Goal.Samples(1), Set.of());
+      RenderSettings settings = Answers.settings(scene, asked);
       Memory.check(settings.width(), settings.height(), EXTRA_IMAGES);
       Prepared prepared = Prepared.of(scene);
       Study.Render render =

@@ -2,6 +2,7 @@ package glint.desktop;
 
 import glint.render.Progress;
 import java.io.PrintWriter;
+import java.util.Locale;
 import java.util.stream.Collectors;
 
 /** Tells whoever started a batch how it goes: bars on a terminal, else one line per scene. */
@@ -48,20 +49,30 @@ final class Reporter implements AutoCloseable {
   }
 
   /** Ends a scene that is rendered and written. */
-  void finished(SceneStats s, int samples, OutputFiles files) {
+  void finished(SceneStats s, OutputFiles files) {
     double seconds = s.seconds().render();
     String end = Figures.rate(s.rays().total(), seconds) + " -> " + names(files);
     if (bar != null) {
-      bar.finish(end);
+      bar.finish(quality(s) + ", " + end);
       close();
     } else {
-      String what = s.width() + "x" + s.height() + ", " + Figures.count(samples, "sample");
+      String what = s.width() + "x" + s.height() + ", " + quality(s);
       note(s.name() + ": " + what + ", " + Figures.seconds(seconds) + ", " + end);
     }
     if (s.invalid() != 0) {
       String count = Figures.count(s.invalid(), "sample");
       note(s.name() + ": warning: " + count + " not finite (NaN or infinite) and left out");
     }
+  }
+
+  /** Returns how many samples a pixel took, and what error that has left. */
+  private static String quality(SceneStats s) {
+    SceneStats.Samples samples = s.samples();
+    if (samples.min() == samples.max()) {
+      return Figures.count(samples.min(), "sample");
+    }
+    return String.format(
+        Locale.ROOT, "%.1f samples, error %.2g levels", samples.mean(), s.error().estimate());
   }
 
   /** Ends a scene whose files are there already. */

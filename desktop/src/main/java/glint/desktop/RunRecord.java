@@ -44,7 +44,7 @@ record RunRecord(String fingerprint, Map<String, String> files, SceneStats scene
             "file " + job.digest(),
             "scene " + job.scene().name(),
             "size " + settings.width() + "x" + settings.height(),
-            "samples " + settings.samples(),
+            "goal " + settings.goal(),
             "seed " + settings.seed(),
             "depth " + (settings.maxDepth().isPresent() ? settings.maxDepth().getAsInt() : "-"),
             "format " + format.name().toLowerCase(Locale.ROOT),

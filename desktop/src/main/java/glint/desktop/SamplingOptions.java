@@ -1,6 +1,7 @@
 package glint.desktop;
 
 import glint.render.Aov;
+import glint.render.Goal;
 import glint.render.RenderSettings;
 import glint.scene.Scene;
 import java.util.Arrays;
@@ -52,9 +53,9 @@ abstract class SamplingOptions {
   }
 
   /** Returns how to render a scene. */
-  final RenderSettings settings(Scene scene, int samples, int threads, int tile, Set<Aov> aovs) {
+  final RenderSettings settings(Scene scene, Goal goal, int threads, int tile, Set<Aov> aovs) {
     int width = size == null ? scene.width() : size[0];
     int height = size == null ? scene.height() : size[1];
-    return new RenderSettings(width, height, samples, seed, depth, threads, tile, aovs);
+    return new RenderSettings(width, height, goal, seed, depth, threads, tile, aovs);
   }
 }

@@ -3,6 +3,7 @@ package glint.desktop;
 import glint.image.Image;
 import glint.io.Pfm;
 import glint.render.Aov;
+import glint.render.Goal;
 import glint.render.RenderResult;
 import glint.render.RenderSettings;
 import glint.render.Renderer;
@@ -50,7 +51,11 @@ final class SceneRun {
       reporter.kept(kept.get(), files);
       return kept.get();
     }
-    Memory.check(settings.width(), settings.height(), settings.aovs().size());
+    if (settings.goal() instanceof Goal.Error) {
+      Memory.checkRefined(settings.width(), settings.height(), settings.aovs().size());
+    } else {
+      Memory.check(settings.width(), settings.height(), settings.aovs().size());
+    }
 
     long began = System.nanoTime();
     Prepared prepared = Prepared.of(job.scene());
@@ -64,7 +69,7 @@ final class SceneRun {
     SceneStats stats = stats(result, build, 0);
     write(result, stats);
     stats = stats(result, build, secondsSince(began));
-    reporter.finished(stats, settings.samples(), files);
+    reporter.finished(stats, files);
     if (result.statistics().invalid() > 0) {
       int pixel = result.statistics().invalidPixel();
       int column = pixel % settings.width();

@@ -1,5 +1,6 @@
 package glint.desktop;
 
+import glint.render.Goal;
 import glint.render.RenderSettings;
 import glint.render.Statistics;
 import glint.trace.RayCounts;
@@ -48,8 +49,24 @@ record SceneStats(
   /** What the flat arrays and the tree take in memory. */
   record Geometry(long bytes, double bytesPerPrimitive) {}
 
-  /** What is known of the error: what bounces not followed can add; the rest is not estimated. */
+  /**
+   * What is known of the error.
+   *
+   * @param estimate by sampling and by truncation together; null if there is none
+   * @param target what was accepted; null if a number of samples, or only a time, was given
+   * @param truncation what bounces not followed can add at most
+   */
   record ErrorEstimate(Double estimate, Double target, Double truncation, String unit) {
+    static ErrorEstimate of(Goal goal, Statistics s) {
+      double sum = s.samplingError() + s.truncation();
+      boolean aims = goal instanceof Goal.Error e && e.levels() > 0;
+      return new ErrorEstimate(
+          Double.isNaN(sum) ? null : sum,
+          aims ? ((Goal.Error) goal).levels() : null,
+          s.truncation(),
+          "levels");
+    }
+
     static final ErrorEstimate UNKNOWN = new ErrorEstimate(null, null, null, "levels");
   }
 
@@ -69,7 +86,7 @@ record SceneStats(
         rays.total() / seconds.render(),
         s.primitives(),
         new Geometry(s.geometryBytes(), (double) s.geometryBytes() / Math.max(1, s.primitives())),
-        new ErrorEstimate(null, null, s.truncation(), "levels"),
+        ErrorEstimate.of(settings.goal(), s),
         new Depth(rays.maxDepth),
         s.invalid(),
         s.clipped(),

@@ -1,5 +1,6 @@
 package glint.desktop;
 
+import glint.render.Goal;
 import glint.render.RenderSettings;
 import glint.scene.Scene;
 import java.nio.file.Path;
@@ -29,8 +30,9 @@ final class SeeAgain {
     if (settings.width() != scene.width() || settings.height() != scene.height()) {
       options.append(" --size ").append(settings.width()).append('x').append(settings.height());
     }
-    if (settings.samples() != RenderSettings.DEFAULT_SAMPLES) {
-      options.append(" --samples ").append(settings.samples());
+    if (settings.goal() instanceof Goal.Samples exactly
+        && exactly.count() != RenderSettings.DEFAULT_SAMPLES) {
+      options.append(" --samples ").append(exactly.count());
     }
     if (settings.seed() != 0) {
       options.append(" --seed ").append(settings.seed());

@@ -180,9 +180,16 @@ class BadInputTest {
         "--format jpg      | png, pfm, both, but not 'jpg'",
         "--format PNG      | did you mean 'png'?",
         "--aov depht       | did you mean 'depth'?",
-        "--aov depth,,id   | depth, normal, albedo, id, but not ''",
+        "--aov depth,,id   | depth, normal, albedo, id, samples, error, but not ''",
         "--sampels 4       | --samples",
-        "--max-error 1     | Unknown option",
+        "--max-error 0     | --max-error must be more than 0 and at most 255, but is 0.0",
+        "--max-error 300   | --max-error must be more than 0 and at most 255",
+        "--max-error NaN   | --max-error must be more than 0 and at most 255",
+        "--max-error 1 --samples 4  | --samples leaves nothing to --max-error",
+        "--time-limit 3s --samples 4 | --samples leaves nothing to --time-limit",
+        "--time-limit 30   | --time-limit must be a time such as 30s, 5m or 1h, but is '30'",
+        "--time-limit 0s   | --time-limit must be a time such as 30s",
+        "--aov error --samples 4 | --aov error needs an estimate, which --samples does not make",
         "--samples 4 --samples 5 | only once",
       })
   void aWrongOptionIsExplained(String options, String expected) throws IOException {

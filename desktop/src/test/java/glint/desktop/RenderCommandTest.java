@@ -36,7 +36,8 @@ class RenderCommandTest {
     assertEquals(List.of("one.png", "three.png", "two.png"), Run.list(out()));
     assertEquals(3, run.errLines().size(), run.err());
     String line = run.errLines().get(0);
-    String expected = "one: 40x30, 16 samples, [0-9.]+ s, [0-9.]+ [kM] rays/s -> .*one\\.png";
+    String expected =
+        "one: 40x30, [0-9.]+ samples, error [0-9.]+ levels, [0-9.]+ s, [0-9.]+ [kM] rays/s -> .*one\\.png";
     assertTrue(line.matches(expected), line);
     assertEquals("", run.out());
   }
@@ -115,7 +116,10 @@ class RenderCommandTest {
     assertEquals(Set.of("camera", "reflection", "refraction", "shadow"), keys(scene, "rays"));
     assertEquals(Set.of("min", "mean", "max"), keys(scene, "samples"));
     assertEquals(Set.of("estimate", "target", "truncation", "unit"), keys(scene, "error"));
-    assertTrue(scene.getAsJsonObject("error").get("estimate").isJsonNull());
+    JsonObject error = scene.getAsJsonObject("error");
+    assertEquals(1, error.get("target").getAsDouble());
+    assertTrue(error.get("estimate").getAsDouble() <= 1);
+    assertTrue(error.get("estimate").getAsDouble() >= error.get("truncation").getAsDouble());
     assertEquals("levels", scene.getAsJsonObject("error").get("unit").getAsString());
     assertTrue(scene.getAsJsonObject("depth").get("max").getAsInt() > 1);
     assertEquals(2, scene.get("primitives").getAsInt());
@@ -235,7 +239,10 @@ class RenderCommandTest {
     try {
       Locale.setDefault(new Locale("ar", "EG"));
       Run run = Run.of("render", a, "--out", out(), "--size", "1000x10");
-      assertTrue(run.err().matches("(?s)one: 1000x10, 16 samples, [0-9.]+ s, .*"), run.err());
+      assertTrue(
+          run.err()
+              .matches("(?s)one: 1000x10, [0-9.]+ samples, error [0-9.]+ levels, [0-9.]+ s, .*"),
+          run.err());
       assertEquals(0, Run.of("plan", a).exitCode());
     } finally {
       Locale.setDefault(before);

@@ -1,0 +1,159 @@
+package glint.render;
+
+import java.util.Arrays;
+
+/**
+ * Estimates the variance of every pixel's mean, in levels²; learns what it needs from the very
+ * image at hand.
+ *
+ * <p>Samples are spread evenly, so their mean is better than that of independent ones, by how much
+ * depends on the image. With V(n) the variance of the mean of n samples of one scrambled sequence,
+ * the mean moves by V(n/2) - V(n), squared and on average, when their number doubles; where V falls
+ * like n^-1.5, as it does at edges, V(n) is that over 2^1.5 - 1. Summed over all pixels with n
+ * samples, this says how much better they are than independent ones.
+ *
+ * <p>What the model of an unsampled pixel gets wrong is learned from audits: samples of a few
+ * pixels of every kind and surroundings, in relation to the contrast around them.
+ */
+final class ErrorModel {
+
+  /** V(n/2) over V(n) at edges, less one. */
+  private static final double FALL = 2 * Math.sqrt(2) - 1;
+
+  /** Levels of doubling, and twice that: for pixels without and with a model. */
+  private static final int LEVELS = 32;
+
+  /** Kinds times surroundings. */
+  private static final int GROUPS = 32;
+
+  /** The area, as a share of the pixel, of a typical thing that a model knows nothing of. */
+  private static final double HIDDEN = 0.15;
+
+  /** What models get wrong before any audit, in relation to the contrast around, squared. */
+  private static final double FIRST_GUESS = 0.002;
+
+  /** As how many audits that guess counts. */
+  private static final int GUESSED = 10;
+
+  /** Added to contrasts: what is worth a level. */
+  private static final double LEAST_CONTRAST = 1;
+
+  private final Film film;
+  private final double[] moved = new double[2 * LEVELS];
+  private final double[] spread = new double[2 * LEVELS];
+  private final int[] pixels = new int[2 * LEVELS];
+  private final double[] wrong = new double[GROUPS];
+  private final double[] contrast = new double[GROUPS];
+  private final int[] audits = new int[GROUPS];
+  private final double[] ratio = new double[GROUPS];
+  private final double[] gain = new double[2 * LEVELS];
+
+  ErrorModel(Film film) {
+    this.film = film;
+    learn();
+  }
+
+  /** Notes how far the mean of a pixel moved with its last doubling, squared. */
+  void note(int pixel, double squared) {
+    int kind = kind(pixel);
+    moved[kind] += squared;
+    spread[kind] += spread(pixel);
+    pixels[kind]++;
+  }
+
+  /**
+   * Notes an audit.
+   *
+   * @param group of the pixel, as {@link #group} gave it
+   * @param squared by how much the model was wrong, squared, less what is known to explain it
+   */
+  void audit(int pixel, int group, double squared) {
+    wrong[group] += squared;
+    contrast[group] += contrast(pixel);
+    audits[group]++;
+  }
+
+  /** Forgets what earlier audits found: pixels that are left now may be others. */
+  void forgetAudits() {
+    Arrays.fill(wrong, 0);
+    Arrays.fill(contrast, 0);
+    Arrays.fill(audits, 0);
+  }
+
+  /** Returns the kind and surroundings of an unsampled pixel that has a model. */
+  int group(int pixel) {
+    return 16 * film.kind[pixel] + film.surroundings[pixel];
+  }
+
+  /** Draws conclusions from what was noted; call it after notes, before estimates. */
+  void learn() {
+    for (int kind = 0; kind < 2 * LEVELS; kind++) {
+      double expected = 0.66 / Math.sqrt(Math.scalb(1.0, kind % LEVELS));
+      double weight = pixels[kind] == 0 ? 1 : 20 * spread[kind] / pixels[kind];
+      double total = spread[kind] + weight;
+      gain[kind] = total > 0 ? (moved[kind] / FALL + weight * expected) / total : expected;
+    }
+    for (int first = 0; first < GROUPS; first += 16) {
+      double allWrong = 0;
+      double allContrast = 0;
+      int all = 0;
+      for (int group = first; group < first + 16; group++) {
+        allWrong += wrong[group];
+        allContrast += contrast[group];
+        all += audits[group];
+      }
+      double guess = all == 0 ? 1 : GUESSED * allContrast / all;
+      double common = (allWrong + FIRST_GUESS * guess) / (allContrast + guess);
+      for (int group = first; group < first + 16; group++) {
+        double weight = audits[group] == 0 ? 1 : GUESSED * contrast[group] / audits[group];
+        double mean = (wrong[group] + weight * common) / (contrast[group] + weight);
+        ratio[group] = Math.max(0, mean);
+      }
+    }
+  }
+
+  /** Returns the estimate of a pixel's variance. */
+  double variance(int pixel) {
+    if (film.level[pixel] == 0) {
+      return film.own[pixel] + hidden(pixel);
+    }
+    double sampled = gain[kind(pixel)] * spread(pixel);
+    return film.kind[pixel] == Film.BUSY ? sampled : sampled + unseen(pixel);
+  }
+
+  /** Returns the part of the variance of an unsampled pixel that its model knows nothing of. */
+  double hidden(int pixel) {
+    return film.kind[pixel] == Film.BUSY ? 0 : ratio[group(pixel)] * contrast(pixel);
+  }
+
+  private int kind(int pixel) {
+    return (film.kind[pixel] == Film.BUSY ? 0 : LEVELS) + film.level[pixel];
+  }
+
+  /**
+   * Returns the variance of a mean of as many independent samples. To those of a pixel without a
+   * model, one of the contrast around is added: they may all have missed something.
+   */
+  private double spread(int pixel) {
+    double n = film.samples(pixel);
+    double unseen = film.kind[pixel] == Film.BUSY ? film.contrast[pixel] / n : 0;
+    return ((n - 1) * film.own[pixel] + unseen) / n;
+  }
+
+  /**
+   * Returns the variance that is left of a model's where samples find nothing wrong with it. What
+   * is wrong in an area a of the pixel escapes n samples with a probability like exp(-na), so that
+   * a² may still be about 1/n²; the colours there differ by about twice the contrast.
+   */
+  private double unseen(int pixel) {
+    double n = film.samples(pixel);
+    double contrast = contrast(pixel);
+    double known = film.prior[film.slot[pixel]];
+    double hidden = ratio[group(pixel)] * contrast / (1 + n * HIDDEN * (n * HIDDEN));
+    return known / (1 + n * n * known / (4 * contrast)) + hidden;
+  }
+
+  private double contrast(int pixel) {
+    return film.contrast[pixel] + LEAST_CONTRAST;
+  }
+}

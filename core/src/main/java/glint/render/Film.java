@@ -1,0 +1,134 @@
+package glint.render;
+
+import glint.image.Image;
+import java.util.Arrays;
+
+/** What is known of every pixel while an image is refined: flat arrays in row order. */
+final class Film {
+
+  /** The four corners show one signature: taken for smooth, from corner to corner. */
+  static final byte SMOOTH = 0;
+
+  /** One edge divides the pixel in two. */
+  static final byte SPLIT = 1;
+
+  /** Anything else: nothing is taken for known. */
+  static final byte BUSY = 2;
+
+  /** Doubles of a sampled pixel: sum, sum of squares and mean of the model, by channel. */
+  static final int SLOT = 9;
+
+  /** A variance of what samples find, in levels², that is much. */
+  private static final double FOUND = 4;
+
+  final int width;
+  final int height;
+
+  /** The pixels' means. */
+  final Image image;
+
+  final byte[] kind;
+
+  /** How much is going on around: 0 nothing, up to 15. */
+  final byte[] surroundings;
+
+  /** Whether the middle was looked at. */
+  final boolean[] checked;
+
+  /** The logarithm to base 2 of the number of samples; 0 for none. */
+  final byte[] level;
+
+  /** Of an unsampled pixel a variance in levels², else what its samples say of theirs. */
+  final float[] own;
+
+  /** The variance of the surroundings, in levels². */
+  final float[] contrast;
+
+  /** Where the sums of a sampled pixel stand, or -1. */
+  final int[] slot;
+
+  /** Where the edge of a split pixel was when it was first sampled: two numbers by slot. */
+  float[] edge = new float[2 * 64];
+
+  /** Sums of what samples differ from the pixel's model by, see {@link #SLOT}. */
+  double[] sums = new double[64 * SLOT];
+
+  /** A bound on what samples left out, summed, by slot. */
+  float[] cut = new float[64];
+
+  /** The variance of the pixel's model when it was first sampled, in levels², by slot. */
+  float[] prior = new float[64];
+
+  /** How many of the samples were finite, by slot. */
+  int[] valid = new int[64];
+
+  private int slots;
+
+  /** Makes a film of unknown pixels. */
+  Film(Image image) {
+    this.image = image;
+    width = image.width();
+    height = image.height();
+    int count = width * height;
+    kind = new byte[count];
+    surroundings = new byte[count];
+    checked = new boolean[count];
+    level = new byte[count];
+    own = new float[count];
+    contrast = new float[count];
+    slot = new int[count];
+    Arrays.fill(slot, -1);
+  }
+
+  /** Gives a pixel that is about to be sampled a place for its sums. */
+  void open(int pixel) {
+    if (slot[pixel] >= 0) {
+      return;
+    }
+    if (slots == cut.length) {
+      int more = slots + (slots >> 1);
+      edge = Arrays.copyOf(edge, 2 * more);
+      sums = Arrays.copyOf(sums, more * SLOT);
+      cut = Arrays.copyOf(cut, more);
+      prior = Arrays.copyOf(prior, more);
+      valid = Arrays.copyOf(valid, more);
+    }
+    slot[pixel] = slots++;
+  }
+
+  /** Forgets the samples of a pixel. */
+  void forget(int pixel) {
+    level[pixel] = 0;
+    valid[slot[pixel]] = 0;
+    cut[slot[pixel]] = 0;
+    Arrays.fill(sums, SLOT * slot[pixel], SLOT * (slot[pixel] + 1), 0);
+  }
+
+  /** Returns the number of samples of a pixel. */
+  int samples(int pixel) {
+    return level[pixel] == 0 ? 0 : 1 << level[pixel];
+  }
+
+  /** Returns whether samples of a pixel differ much from what its model says. */
+  boolean foundMore(int pixel) {
+    return level[pixel] > 0 && samples(pixel) * own[pixel] > FOUND;
+  }
+
+  /** Returns whether an unsampled smooth pixel lies beside one whose samples have found more. */
+  boolean mayHideMore(int pixel) {
+    if (kind[pixel] != SMOOTH || level[pixel] > 0) {
+      return false;
+    }
+    int x = pixel % width;
+    int y = pixel / width;
+    for (int row = Math.max(0, y - 1); row <= Math.min(height - 1, y + 1); row++) {
+      for (int column = Math.max(0, x - 1); column <= Math.min(width - 1, x + 1); column++) {
+        int other = row * width + column;
+        if (kind[other] == SMOOTH && foundMore(other)) {
+          return true;
+        }
+      }
+    }
+    return false;
+  }
+}

@@ -1,0 +1,45 @@
+package glint.render;
+
+import glint.color.Transfer;
+
+/**
+ * Display levels by table, for estimates of error: within a hundredth of a level, many times faster
+ * than {@link Transfer#level}; immutable.
+ */
+final class LevelScale {
+
+  /** Steps of the table, even in the square root of the linear value. */
+  private static final int STEPS = 1024;
+
+  private final double[] levels = new double[STEPS + 2];
+
+  /** Tabulates a curve. */
+  LevelScale(Transfer transfer) {
+    for (int i = 0; i < levels.length; i++) {
+      double root = (double) i / STEPS;
+      levels[i] = transfer.level(root * root);
+    }
+  }
+
+  /** Returns the level of a linear value. */
+  double level(double linear) {
+    if (!(linear > 0)) {
+      return 0;
+    }
+    double place = STEPS * Math.sqrt(Math.min(linear, 1));
+    int i = (int) place;
+    return levels[i] + (place - i) * (levels[i + 1] - levels[i]);
+  }
+
+  /** Returns the square, in levels², of an error of a linear value, half to either side of it. */
+  double squaredError(double linear, double error) {
+    double half = 0.5 * (level(linear + error) - level(linear - error));
+    return half * half;
+  }
+
+  /** Returns the square of the difference of two linear values, in levels². */
+  double squaredDifference(double a, double b) {
+    double difference = level(a) - level(b);
+    return difference * difference;
+  }
+}

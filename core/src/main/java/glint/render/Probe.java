@@ -1,0 +1,103 @@
+package glint.render;
+
+import glint.geometry.Hit;
+import glint.geometry.Ray;
+import glint.scene.Prepared;
+import glint.scene.View;
+import glint.trace.RayCounts;
+import glint.trace.Recorder;
+import glint.trace.Tracer;
+
+/** Traces rays through places of the image; one per thread. */
+final class Probe {
+
+  private final View view;
+  private final Tracer tracer;
+  private final Ray ray = new Ray();
+  private final int width;
+  private long invalid;
+  private int invalidPixel = Integer.MAX_VALUE;
+  private long reported;
+
+  /**
+   * Sets up a probe.
+   *
+   * @param recorder is told of every ray, if not null
+   */
+  Probe(Prepared scene, RenderSettings settings, Recorder recorder) {
+    view = new View(scene.scene().camera(), settings.width(), settings.height());
+    int stated = scene.scene().maxDepth().orElse(RenderSettings.DEFAULT_DEPTH);
+    int depth = settings.maxDepth().orElse(stated);
+    tracer = new Tracer(scene, depth, settings.negligible(), recorder);
+    width = settings.width();
+  }
+
+  /**
+   * Traces the ray through a place; returns whether its radiance is finite and counts.
+   *
+   * @param x columns from the left edge of the image
+   * @param y rows from its top edge
+   */
+  boolean trace(double x, double y) {
+    double end = view.ray(x, y, ray);
+    tracer.trace(ray, end);
+    boolean finite = Double.isFinite(tracer.r + tracer.g + tracer.b);
+    if (!finite) {
+      invalid++;
+      int column = (int) Math.min(x, width - 1);
+      int row = (int) y;
+      invalidPixel = Math.min(invalidPixel, row * width + column);
+    }
+    return finite;
+  }
+
+  /** Returns the radiance of the last ray traced, by channel. */
+  double r() {
+    return tracer.r;
+  }
+
+  double g() {
+    return tracer.g;
+  }
+
+  double b() {
+    return tracer.b;
+  }
+
+  /** Returns a bound on what the last radiance leaves out, in any channel. */
+  double cut() {
+    return tracer.cut;
+  }
+
+  /** Returns what the last ray met, in one number. */
+  long signature() {
+    return tracer.signature();
+  }
+
+  /** Sets a ray through a place; returns what it sees first. */
+  Hit look(double x, double y, Ray out) {
+    double end = view.ray(x, y, out);
+    return tracer.look(out, end);
+  }
+
+  /** Returns how many rays had a radiance that is not finite. */
+  long invalid() {
+    return invalid;
+  }
+
+  /** Returns the number, in row order, of the first pixel with such a ray, if any. */
+  int invalidPixel() {
+    return invalidPixel;
+  }
+
+  /** Returns how many rays of all kinds were traced since the last call. */
+  long newRays() {
+    long before = reported;
+    reported = tracer.counts().total();
+    return reported - before;
+  }
+
+  RayCounts counts() {
+    return tracer.counts();
+  }
+}

@@ -1,0 +1,291 @@
+package glint.render;
+
+/**
+ * Works on pixels of a film, one at a time; one per thread.
+ *
+ * <p>A pixel begins with a model of itself that its corners give for nothing: radiance that runs
+ * evenly from corner to corner, or two plain colours and a straight edge between. Samples are taken
+ * of what the model gets wrong, so that a good model leaves them little to find (a control
+ * variate).
+ */
+final class Refiner {
+
+  /** The first samples of a pixel, as a power of two. */
+  static final byte FIRST = 2;
+
+  /** A step counts as so many bends: 12/√12. */
+  private static final double STEP = 2 * Math.sqrt(3);
+
+  private final Film film;
+  private final CornerGrid corners;
+  private final Sides sides;
+  private final LevelScale scale;
+  private final Split split;
+  private final SobolSampler places;
+  private final double[] model = new double[3];
+  private final double[] before = new double[3];
+  private final double[] mean = new double[3];
+
+  final Probe probe;
+
+  Refiner(Film film, CornerGrid corners, Sides sides, LevelScale scale, Probe probe, long seed) {
+    this.film = film;
+    this.corners = corners;
+    this.sides = sides;
+    this.scale = scale;
+    this.probe = probe;
+    split = new Split(corners, sides);
+    places = new SobolSampler(seed);
+  }
+
+  /** Decides what kind of pixel this is by its corners. */
+  void classify(int x, int y) {
+    long[] met = corners.signature;
+    int a = y * corners.stride + x;
+    int c = a + corners.stride;
+    int crossings = 0;
+    crossings += met[a] != met[a + 1] ? 1 : 0;
+    crossings += met[c] != met[c + 1] ? 1 : 0;
+    crossings += met[a] != met[c] ? 1 : 0;
+    crossings += met[a + 1] != met[c + 1] ? 1 : 0;
+    int pixel = y * film.width + x;
+    film.kind[pixel] = crossings == 0 ? Film.SMOOTH : crossings == 2 ? Film.SPLIT : Film.BUSY;
+    film.contrast[pixel] = (float) corners.contrast(x, y, scale);
+  }
+
+  /** Counts the edges around a pixel. */
+  void survey(int x, int y) {
+    int busy = 0;
+    int splits = 0;
+    for (int row = Math.max(0, y - 1); row <= Math.min(film.height - 1, y + 1); row++) {
+      for (int column = Math.max(0, x - 1); column <= Math.min(film.width - 1, x + 1); column++) {
+        byte kind = film.kind[row * film.width + column];
+        busy += kind == Film.BUSY ? 1 : 0;
+        splits += kind == Film.SPLIT ? 1 : 0;
+      }
+    }
+    int pixel = y * film.width + x;
+    splits -= film.kind[pixel] == Film.SPLIT ? 1 : 0;
+    film.surroundings[pixel] = (byte) (4 * grade(busy) + grade(splits));
+  }
+
+  /**
+   * Looks into the middle of a pixel that is split or beside an edge.
+   *
+   * @return whether something is there that no corner shows: then nothing is taken for known
+   */
+  boolean surprises(int x, int y) {
+    int pixel = y * film.width + x;
+    boolean idle = film.kind[pixel] == Film.SMOOTH && film.surroundings[pixel] == 0;
+    if (film.checked[pixel] || film.kind[pixel] == Film.BUSY || idle) {
+      return false;
+    }
+    film.checked[pixel] = true;
+    long[] met = corners.signature;
+    int a = y * corners.stride + x;
+    int c = a + corners.stride;
+    boolean finite = probe.trace(x + 0.5, y + 0.5);
+    long middle = probe.signature();
+    return !finite
+        || (middle != met[a] && middle != met[a + 1] && middle != met[c] && middle != met[c + 1]);
+  }
+
+  private static int grade(int count) {
+    return count == 0 ? 0 : count < 3 ? 1 : count < 5 ? 2 : 3;
+  }
+
+  /** Takes a pixel that was never sampled from its model, and estimates the error of that. */
+  void estimate(int x, int y) {
+    int pixel = y * film.width + x;
+    if (film.kind[pixel] == Film.SPLIT) {
+      if (split.look(x, y)) {
+        film.image.set(x, y, split.mean(0), split.mean(1), split.mean(2));
+        film.own[pixel] = (float) split.variance(scale);
+        return;
+      }
+      film.kind[pixel] = Film.BUSY;
+    }
+    film.image.set(x, y, between(x, y, 0), between(x, y, 1), between(x, y, 2));
+    film.own[pixel] =
+        film.kind[pixel] == Film.SMOOTH ? (float) curvature(x, y) : 0.3f * film.contrast[pixel];
+  }
+
+  /** Returns the mean of the corners. */
+  private double between(int x, int y, int channel) {
+    double[] rgb = corners.rgb;
+    int a = 3 * (y * corners.stride + x) + channel;
+    int c = a + 3 * corners.stride;
+    return 0.25 * (rgb[a] + rgb[a + 3] + rgb[c] + rgb[c + 3]);
+  }
+
+  /**
+   * Returns the square, in levels², of the error of the mean of the corners: of the trapezoidal
+   * rule, a twelfth of the second differences.
+   */
+  private double curvature(int x, int y) {
+    double sum = 0;
+    int a = y * corners.stride + x;
+    for (int channel = 0; channel < 3; channel++) {
+      double bends =
+          bend(a, 1, x, corners.stride, channel)
+              + bend(a + corners.stride, 1, x, corners.stride, channel)
+              + bend(a, corners.stride, y, corners.rows, channel)
+              + bend(a + 1, corners.stride, y, corners.rows, channel);
+      sum += scale.squaredError(between(x, y, channel), bends / 24);
+    }
+    return sum / 3;
+  }
+
+  /**
+   * Returns the second difference along a side, without its sign: the mean of those that its two
+   * neighbours give as far as they show the same signature; where none does, the difference of its
+   * ends.
+   *
+   * <p>Where the two disagree there is a step rather than a bend, no one knows where along the
+   * side: it is worth the standard deviation of a place even in a range, 1/√12, in twelfths.
+   */
+  private double bend(int corner, int step, int at, int count, int channel) {
+    double[] rgb = corners.rgb;
+    long[] met = corners.signature;
+    double one = rgb[3 * corner + channel];
+    double two = rgb[3 * (corner + step) + channel];
+    boolean before = at > 0 && met[corner - step] == met[corner];
+    boolean after = at + 2 < count && met[corner + 2 * step] == met[corner];
+    double first = before ? rgb[3 * (corner - step) + channel] - 2 * one + two : 0;
+    double last = after ? one - 2 * two + rgb[3 * (corner + 2 * step) + channel] : 0;
+    if (before && after) {
+      return 0.5 * (Math.abs(first + last) + STEP * Math.abs(first - last));
+    }
+    return before || after ? Math.abs(first + last) : Math.abs(two - one);
+  }
+
+  /** Asks for the brackets of a split pixel to be divided. */
+  void want(int x, int y) {
+    if (split.look(x, y)) {
+      int steps = split.steps();
+      for (int i = 0; i < 2; i++) {
+        int side = split.crossed(i);
+        if (sides.steps[side] <= steps + 1) {
+          sides.want(side);
+        }
+      }
+    }
+  }
+
+  /**
+   * Takes samples of a pixel until there are 2^level of them.
+   *
+   * @return by how much the last doubling moved the mean: the square, in levels²
+   */
+  double sample(int x, int y, int level) {
+    int pixel = y * film.width + x;
+    int slot = film.slot[pixel];
+    int have = film.samples(pixel);
+    if (have == 0) {
+      freeze(x, y, slot);
+    } else if (film.kind[pixel] == Film.SPLIT) {
+      split.look(x, y);
+      split.place(film.edge[2 * slot], film.edge[2 * slot + 1]);
+    }
+    places.pixel(x, y);
+    int total = 1 << level;
+    int half = total / 2;
+    for (int i = have; i < total; i++) {
+      if (i == half) {
+        keepMean(slot);
+      }
+      places.sample(i);
+      add(x, y, slot);
+    }
+    film.level[pixel] = (byte) level;
+    return finish(x, y, slot);
+  }
+
+  private void keepMean(int slot) {
+    int count = Math.max(1, film.valid[slot]);
+    for (int channel = 0; channel < 3; channel++) {
+      int at = Film.SLOT * slot + channel;
+      before[channel] = film.sums[at + 6] + film.sums[at] / count;
+    }
+  }
+
+  /** Settles the model that samples of a pixel are compared with from now on. */
+  private void freeze(int x, int y, int slot) {
+    int pixel = y * film.width + x;
+    film.prior[slot] = film.own[pixel];
+    if (film.kind[pixel] == Film.SPLIT && !split.look(x, y)) {
+      film.kind[pixel] = Film.BUSY;
+    }
+    if (film.kind[pixel] == Film.SPLIT) {
+      film.edge[2 * slot] = (float) split.along(0);
+      film.edge[2 * slot + 1] = (float) split.along(1);
+      split.place(film.edge[2 * slot], film.edge[2 * slot + 1]);
+    }
+    for (int channel = 0; channel < 3; channel++) {
+      film.sums[Film.SLOT * slot + 6 + channel] =
+          switch (film.kind[pixel]) {
+            case Film.SMOOTH -> between(x, y, channel);
+            case Film.SPLIT -> split.mean(channel);
+            default -> 0;
+          };
+    }
+  }
+
+  private void add(int x, int y, int slot) {
+    if (!probe.trace(x + places.x, y + places.y)) {
+      return;
+    }
+    film.valid[slot]++;
+    predict(x, y);
+    add(slot, 0, probe.r());
+    add(slot, 1, probe.g());
+    add(slot, 2, probe.b());
+    film.cut[slot] += (float) probe.cut();
+  }
+
+  private void add(int slot, int channel, double radiance) {
+    double difference = radiance - model[channel];
+    int at = Film.SLOT * slot + channel;
+    film.sums[at] += difference;
+    film.sums[at + 3] += difference * difference;
+  }
+
+  /** Sets {@link #model} to what the pixel's model says at the place of the sample. */
+  private void predict(int x, int y) {
+    byte kind = film.kind[y * film.width + x];
+    double u = places.x;
+    double v = places.y;
+    int a = 3 * (y * corners.stride + x);
+    int c = a + 3 * corners.stride;
+    double[] rgb = corners.rgb;
+    for (int i = 0; i < 3; i++) {
+      model[i] =
+          switch (kind) {
+            case Film.SMOOTH ->
+                (1 - v) * ((1 - u) * rgb[a + i] + u * rgb[a + 3 + i])
+                    + v * ((1 - u) * rgb[c + i] + u * rgb[c + 3 + i]);
+            case Film.SPLIT -> split.at(i, u, v);
+            default -> 0;
+          };
+    }
+  }
+
+  /** Stores the pixel's mean and the variance of a mean of as many independent samples. */
+  private double finish(int x, int y, int slot) {
+    int count = Math.max(2, film.valid[slot]);
+    double moved = 0;
+    double variance = 0;
+    for (int channel = 0; channel < 3; channel++) {
+      int at = Film.SLOT * slot + channel;
+      double difference = film.sums[at] / count;
+      mean[channel] = film.sums[at + 6] + difference;
+      moved += scale.squaredDifference(mean[channel], before[channel]);
+      double squares = film.sums[at + 3] / count - difference * difference;
+      double spread = Math.sqrt(Math.max(0, squares) / (count - 1));
+      variance += scale.squaredError(mean[channel], spread);
+    }
+    film.image.set(x, y, mean[0], mean[1], mean[2]);
+    film.own[y * film.width + x] = (float) (variance / 3);
+    return moved / 3;
+  }
+}

@@ -1,0 +1,187 @@
+package glint.render;
+
+/**
+ * Refines an image until its estimated error is as small as was asked for.
+ *
+ * <p>First a ray through every pixel's corner. Then rounds: what all pixels know now decides what
+ * is done next, so that neither threads nor tiles matter.
+ */
+final class Rounds {
+
+  /** By how much the true error may be above the estimates of the model; found on many scenes. */
+  private static final double CALIBRATION = 1.2;
+
+  /** Rounds after which the models are audited at the latest. */
+  private static final int EARLY_ROUNDS = 4;
+
+  /** Audits of an image: what is learned at first may no longer hold at the end. */
+  private static final int AUDITS = 2;
+
+  /** The most samples of a pixel, as a power of two. */
+  private static final int MOST = 20;
+
+  /** By how much a round brings the error down at most where the time is limited. */
+  private static final double SHORT_ROUND = 0.7;
+
+  /** Sides that a thread works on in one go. */
+  private static final int BATCH = 64;
+
+  private final Film film;
+  private final CornerGrid corners;
+  private final Sides sides;
+  private final ErrorModel model;
+  private final Allocation allocation;
+  private final Sampling sampling;
+  private final Audit audit;
+  private final Crew<Refiner> crew;
+  private final Tiles tiles;
+  private final TileCount done;
+
+  Rounds(
+      RenderSettings settings,
+      Film film,
+      CornerGrid corners,
+      Sides sides,
+      LevelScale scale,
+      Crew<Refiner> crew,
+      Progress progress) {
+    this.film = film;
+    this.corners = corners;
+    this.sides = sides;
+    this.crew = crew;
+    model = new ErrorModel(film);
+    allocation = new Allocation(film, model);
+    sampling = new Sampling(film, model, crew);
+    audit = new Audit(film, model, scale, sampling, settings.seed());
+    tiles = new Tiles(settings);
+    done = new TileCount(progress, tiles.count());
+  }
+
+  /**
+   * Renders.
+   *
+   * @param levels the error to come down to
+   * @param deadline in the time of {@link System#nanoTime}, when to stop anyway
+   * @return the estimate of the sampling error, in levels
+   */
+  double run(double levels, long deadline) throws InterruptedException {
+    begin();
+    int audits = 0;
+    for (int round = 0; ; round++) {
+      estimate();
+      model.learn();
+      double error = error(allocation.total());
+      boolean reached = error <= levels;
+      if (audits < AUDITS && (reached || (audits == 0 && round == EARLY_ROUNDS))) {
+        audit.run(audits++);
+        continue;
+      }
+      boolean late = deadline != Long.MAX_VALUE && System.nanoTime() - deadline > 0;
+      double next = deadline == Long.MAX_VALUE ? levels : Math.max(levels, SHORT_ROUND * error);
+      allocation.aim(variance(next));
+      if (reached || late || !refine()) {
+        return error;
+      }
+    }
+  }
+
+  /** Returns the error that is claimed for a variance of all pixels together. */
+  private double error(double variance) {
+    return CALIBRATION * Math.sqrt(variance / film.kind.length);
+  }
+
+  private double variance(double error) {
+    return error / CALIBRATION * (error / CALIBRATION) * film.kind.length;
+  }
+
+  /** Returns the error that is claimed for a pixel, in levels. */
+  double error(int pixel) {
+    return CALIBRATION * Math.sqrt(model.variance(pixel));
+  }
+
+  private void begin() throws InterruptedException {
+    crew.run(
+        tiles.count(),
+        (refiner, i) -> {
+          traceCorners(refiner, i);
+          done.add(refiner.probe);
+        });
+    crew.run(tiles.count(), (refiner, i) -> tiles.forEach(i, refiner::classify));
+    do {
+      crew.run(tiles.count(), (refiner, i) -> tiles.forEach(i, refiner::survey));
+    } while (check());
+  }
+
+  private void traceCorners(Refiner refiner, int tile) {
+    int x1 = tiles.endX(tile);
+    int y1 = tiles.endY(tile);
+    x1 += x1 == film.width ? 1 : 0;
+    y1 += y1 == film.height ? 1 : 0;
+    for (int y = tiles.beginY(tile); y < y1; y++) {
+      for (int x = tiles.beginX(tile); x < x1; x++) {
+        corners.trace(refiner.probe, x, y);
+      }
+    }
+  }
+
+  /** Looks into the middle of pixels at edges; returns whether that has found anything. */
+  private boolean check() throws InterruptedException {
+    boolean[] surprising = new boolean[film.kind.length];
+    crew.run(
+        tiles.count(),
+        (refiner, i) ->
+            tiles.forEach(i, (x, y) -> surprising[y * film.width + x] = refiner.surprises(x, y)));
+    boolean any = false;
+    for (int pixel = 0; pixel < surprising.length; pixel++) {
+      if (surprising[pixel]) {
+        film.kind[pixel] = Film.BUSY;
+        any = true;
+      }
+    }
+    return any;
+  }
+
+  /** Estimates anew what can have changed: pixels without samples. */
+  private void estimate() throws InterruptedException {
+    crew.run(
+        tiles.count(),
+        (refiner, i) ->
+            tiles.forEach(
+                i,
+                (x, y) -> {
+                  if (film.level[y * film.width + x] == 0) {
+                    refiner.estimate(x, y);
+                  }
+                }));
+  }
+
+  /** Does what is worth it; returns whether there was anything. */
+  private boolean refine() throws InterruptedException {
+    Refiner any = crew.workers().get(0);
+    boolean worked = false;
+    for (int pixel = 0; pixel < film.kind.length; pixel++) {
+      boolean worth = allocation.worth(pixel) && film.level[pixel] < MOST;
+      if (worth && allocation.searches(pixel)) {
+        any.want(pixel % film.width, pixel / film.width);
+      } else if (worth || film.mayHideMore(pixel)) {
+        sampling.choose(pixel);
+      }
+      worked |= worth;
+    }
+    sampling.run(Refiner.FIRST);
+    divide();
+    return worked;
+  }
+
+  /** Divides the brackets of the sides that are wanted. */
+  private void divide() throws InterruptedException {
+    int[] wanted = sides.wanted();
+    crew.run(
+        (wanted.length + BATCH - 1) / BATCH,
+        (refiner, batch) -> {
+          for (int i = BATCH * batch; i < Math.min(wanted.length, BATCH * (batch + 1)); i++) {
+            sides.divide(refiner.probe, wanted[i]);
+          }
+        });
+  }
+}

@@ -1,0 +1,57 @@
+package glint.render;
+
+import java.util.Arrays;
+
+/** Samples chosen pixels, on all threads. */
+final class Sampling {
+
+  /** Pixels that a thread works on in one go. */
+  private static final int BATCH = 64;
+
+  private final Film film;
+  private final ErrorModel model;
+  private final Crew<Refiner> crew;
+  private int[] chosen = new int[1024];
+  private int count;
+
+  Sampling(Film film, ErrorModel model, Crew<Refiner> crew) {
+    this.film = film;
+    this.model = model;
+    this.crew = crew;
+  }
+
+  /** Chooses a pixel for the next run. */
+  void choose(int pixel) {
+    if (count == chosen.length) {
+      chosen = Arrays.copyOf(chosen, 2 * count);
+    }
+    chosen[count++] = pixel;
+    film.open(pixel);
+  }
+
+  /** Returns the pixels that are chosen. */
+  int[] chosen() {
+    return Arrays.copyOf(chosen, count);
+  }
+
+  /**
+   * Doubles the samples of the pixels chosen, and begins to choose anew.
+   *
+   * @param least as a power of two, the samples that a pixel shall have at least
+   */
+  void run(int least) throws InterruptedException {
+    double[] moved = new double[count];
+    crew.run(
+        (count + BATCH - 1) / BATCH,
+        (refiner, batch) -> {
+          for (int i = BATCH * batch; i < Math.min(count, BATCH * (batch + 1)); i++) {
+            int level = Math.max(least, film.level[chosen[i]] + 1);
+            moved[i] = refiner.sample(chosen[i] % film.width, chosen[i] / film.width, level);
+          }
+        });
+    for (int i = 0; i < count; i++) {
+      model.note(chosen[i], moved[i]);
+    }
+    count = 0;
+  }
+}

@@ -1,0 +1,232 @@
+package glint.render;
+
+/**
+ * A pixel that one edge divides in two, taken for an arc between the two sides that it crosses, or
+ * for straight; scratch.
+ */
+final class Split {
+
+  private final CornerGrid corners;
+  private final Sides sides;
+
+  /** The two sides crossed, as numbers of {@link Sides}. */
+  private final int[] crossed = new int[2];
+
+  /** Where the edge meets them, in the pixel. */
+  private final double[] x = new double[2];
+
+  private final double[] y = new double[2];
+
+  /** Which side of the pixel each is: 0 top, 1 bottom, 2 left, 3 right. */
+  private final int[] which = new int[2];
+
+  /** The mean colour of the corners on the side of the upper left one, and on the other. */
+  private final double[] first = new double[3];
+
+  private final double[] second = new double[3];
+
+  /** By how much a curved edge covers more than its chord, on the side of the upper left corner. */
+  private double bulge;
+
+  /** The uncertainty of that. */
+  private double doubt;
+
+  /** Twice the signed area of the triangle of the edge and the upper left corner. */
+  private double orientation;
+
+  Split(CornerGrid corners, Sides sides) {
+    this.corners = corners;
+    this.sides = sides;
+  }
+
+  /**
+   * Looks at a pixel two of whose sides have different ends.
+   *
+   * @return whether each of the two is crossed once, as far as is known
+   */
+  boolean look(int column, int row) {
+    int a = row * corners.stride + column;
+    int c = a + corners.stride;
+    int count = 0;
+    for (int side = 0; side < 4; side++) {
+      if (isCrossed(column, row, side)) {
+        which[count] = side;
+        crossed[count++] = number(column, row, side);
+      }
+    }
+    place(sides.middle(crossed[0]), sides.middle(crossed[1]));
+    colour(a, c);
+    bend(column, row);
+    return steps() != Sides.MIXED;
+  }
+
+  /**
+   * Finds how the edge curves from what it does in the two neighbours: like a circle, which covers
+   * L³κ/12 more than its chord of length L, if both turn the same way.
+   */
+  private void bend(int column, int row) {
+    double one = curvature(column, row, 0);
+    double two = curvature(column, row, 1);
+    double dx = x[1] - x[0];
+    double dy = y[1] - y[0];
+    double length = Math.sqrt(dx * dx + dy * dy);
+    double unit = length * length * length / 12;
+    double common = one * two > 0 ? Math.copySign(Math.min(Math.abs(one), Math.abs(two)), one) : 0;
+    bulge = unit * (orientation > 0 ? common : -common);
+    doubt = unit * Math.max(Math.abs(one - common), Math.abs(two - common)) / 2;
+  }
+
+  /** Returns by how much the edge turns to the left per length where it leaves the pixel, or 0. */
+  private double curvature(int column, int row, int end) {
+    int nextX = column + (which[end] == 3 ? 1 : 0) - (which[end] == 2 ? 1 : 0);
+    int nextY = row + (which[end] == 1 ? 1 : 0) - (which[end] == 0 ? 1 : 0);
+    if (nextX < 0 || nextY < 0 || nextX >= corners.stride - 1 || nextY >= corners.rows - 1) {
+      return 0;
+    }
+    int from = which[end] ^ 1; // the same side, seen from the neighbour
+    int other = -1;
+    for (int side = 0; side < 4; side++) {
+      if (side != from && isCrossed(nextX, nextY, side)) {
+        if (other >= 0) {
+          return 0;
+        }
+        other = side;
+      }
+    }
+    int number = other < 0 ? -1 : number(nextX, nextY, other);
+    if (other < 0 || sides.steps[number] == Sides.MIXED) {
+      return 0;
+    }
+    double along = sides.middle(number);
+    double px = nextX - column + (other < 2 ? along : other - 2);
+    double py = nextY - row + (other < 2 ? other : along);
+    double dx = x[1] - x[0];
+    double dy = y[1] - y[0];
+    double ex = end == 1 ? px - x[1] : x[0] - px;
+    double ey = end == 1 ? py - y[1] : y[0] - py;
+    double d = Math.sqrt(dx * dx + dy * dy);
+    double e = Math.sqrt(ex * ex + ey * ey);
+    double turn = end == 1 ? dx * ey - dy * ex : ex * dy - ey * dx;
+    return d > 0 && e > 0 ? 2 * turn / (d * e * (d + e)) : 0;
+  }
+
+  private boolean isCrossed(int column, int row, int side) {
+    int a = row * corners.stride + column + (side == 3 ? 1 : 0);
+    a += side == 1 ? corners.stride : 0;
+    int b = a + (side < 2 ? 1 : corners.stride);
+    return corners.signature[a] != corners.signature[b];
+  }
+
+  private int number(int column, int row, int side) {
+    return switch (side) {
+      case 0 -> sides.top(column, row);
+      case 1 -> sides.bottom(column, row);
+      case 2 -> sides.left(column, row);
+      default -> sides.right(column, row);
+    };
+  }
+
+  /** Has a straight edge cross the two sides elsewhere: 0 to 1 along them. */
+  void place(double one, double two) {
+    bulge = 0;
+    doubt = 0;
+    place(0, one);
+    place(1, two);
+    orientation = side(0, 0);
+  }
+
+  /** Returns where the edge crosses one of the two sides, 0 to 1 along it. */
+  double along(int i) {
+    return which[i] < 2 ? x[i] : y[i];
+  }
+
+  private void place(int i, double along) {
+    x[i] = which[i] < 2 ? along : which[i] - 2;
+    y[i] = which[i] < 2 ? which[i] : along;
+  }
+
+  private void colour(int a, int c) {
+    double[] rgb = corners.rgb;
+    long[] met = corners.signature;
+    for (int channel = 0; channel < 3; channel++) {
+      double here = 0;
+      double there = 0;
+      int near = 0;
+      for (int i = 0; i < 4; i++) {
+        int corner = i % 2 + (i < 2 ? a : c);
+        if (met[corner] == met[a]) {
+          here += rgb[3 * corner + channel];
+          near++;
+        } else {
+          there += rgb[3 * corner + channel];
+        }
+      }
+      first[channel] = here / near;
+      second[channel] = there / (4 - near);
+    }
+  }
+
+  /** Returns the number of one of the two sides crossed. */
+  int crossed(int i) {
+    return crossed[i];
+  }
+
+  /** Returns how often the less known of the two brackets was divided. */
+  int steps() {
+    return Math.min(sides.steps[crossed[0]], sides.steps[crossed[1]]);
+  }
+
+  /** Returns the share of the pixel on the side of its upper left corner. */
+  private double area() {
+    if (which[0] == 0 && which[1] == 1) {
+      return 0.5 * (x[0] + x[1]);
+    }
+    if (which[0] == 2) {
+      return 0.5 * (y[0] + y[1]);
+    }
+    double dx = which[1] == 2 ? x[0] : 1 - x[0];
+    double dy = which[0] == 0 ? y[1] : 1 - y[1];
+    double cornerCut = 0.5 * dx * dy;
+    return which[0] == 0 && which[1] == 2 ? cornerCut : 1 - cornerCut;
+  }
+
+  /** Returns the mean of a channel over the pixel. */
+  double mean(int channel) {
+    double share = Math.min(Math.max(area() + bulge, 0), 1);
+    return share * first[channel] + (1 - share) * second[channel];
+  }
+
+  /** Returns the radiance of a channel at a place in the pixel. */
+  double at(int channel, double u, double v) {
+    boolean near = (side(u, v) < 0) == (orientation < 0);
+    return near ? first[channel] : second[channel];
+  }
+
+  private double side(double u, double v) {
+    return (x[1] - x[0]) * (v - y[0]) - (y[1] - y[0]) * (u - x[0]);
+  }
+
+  /**
+   * Returns the variance of the mean, in levels², by what is not known of where the edge is: it may
+   * be anywhere in its brackets.
+   */
+  double variance(LevelScale scale) {
+    double variance = doubt * doubt;
+    for (int i = 0; i < 2; i++) {
+      double along = along(i);
+      double half = 0.5 * sides.length(crossed[i]);
+      place(i, along + half);
+      double more = area();
+      place(i, along - half);
+      double range = more - area();
+      place(i, along);
+      variance += range * range / 12; // of a number even in a range
+    }
+    double error = Math.sqrt(variance);
+    double sum = 0;
+    for (int channel = 0; channel < 3; channel++) {
+      sum += scale.squaredError(mean(channel), error * (first[channel] - second[channel]));
+    }
+    return sum / 3;
+  }
+}

@@ -1,0 +1,55 @@
+package glint.render;
+
+/** Rectangles that cover an image, numbered row by row; immutable. */
+final class Tiles {
+
+  /** Does something for a pixel. */
+  interface Visitor {
+    /** Visits the pixel in column x and row y. */
+    void visit(int x, int y);
+  }
+
+  private final int width;
+  private final int height;
+  private final int edge;
+  private final int columns;
+  private final int count;
+
+  /** Cuts the image of a render into tiles. */
+  Tiles(RenderSettings settings) {
+    width = settings.width();
+    height = settings.height();
+    edge = settings.tileSize();
+    columns = (width - 1) / edge + 1;
+    count = Math.multiplyExact(columns, (height - 1) / edge + 1);
+  }
+
+  int count() {
+    return count;
+  }
+
+  int beginX(int tile) {
+    return tile % columns * edge;
+  }
+
+  int beginY(int tile) {
+    return tile / columns * edge;
+  }
+
+  int endX(int tile) {
+    return Math.min(beginX(tile) + edge, width);
+  }
+
+  int endY(int tile) {
+    return Math.min(beginY(tile) + edge, height);
+  }
+
+  /** Visits the pixels of a tile row by row. */
+  void forEach(int tile, Visitor visitor) {
+    for (int y = beginY(tile); y < endY(tile); y++) {
+      for (int x = beginX(tile); x < endX(tile); x++) {
+        visitor.visit(x, y);
+      }
+    }
+  }
+}

@@ -1,0 +1,56 @@
+package glint.trace;
+
+import glint.color.Rgb;
+import glint.geometry.Hit;
+
+/**
+ * What a tree of rays has met, in one number; scratch.
+ *
+ * <p>Two trees of equal signature have met the same faces in the same order, in the light of the
+ * same lights, so that radiance changes smoothly between them as far as surfaces are smooth. Where
+ * signatures differ, an edge lies between: a silhouette, a shadow, what a mirror shows of them.
+ * Different things share a signature by chance once in 2^64.
+ */
+final class Signature {
+
+  /** Normals that differ by less belong to one flat face. */
+  private static final double FACET = 0x1p10;
+
+  private long value;
+
+  /** Begins with nothing met. */
+  void clear() {
+    value = 0;
+  }
+
+  /** Returns the number. */
+  long value() {
+    return value;
+  }
+
+  /** Adds one thing that was met. */
+  void add(long what) {
+    long mixed = (value ^ what) * 0x9e3779b97f4a7c15L;
+    value = mixed ^ mixed >>> 29;
+  }
+
+  /** Adds one of the colours of a pattern. */
+  void add(Rgb color) {
+    add(Double.doubleToLongBits(color.r()));
+    add(Double.doubleToLongBits(color.g()));
+    add(Double.doubleToLongBits(color.b()));
+  }
+
+  /**
+   * Adds the face that was hit: of a flat one its surface and normal, of a curved one its surface.
+   */
+  void add(Hit hit, int surface) {
+    add(surface);
+    boolean smooth = hit.sx != hit.nx || hit.sy != hit.ny || hit.sz != hit.nz;
+    if (!hit.curved && !smooth) {
+      add(Math.round(hit.nx * FACET));
+      add(Math.round(hit.ny * FACET));
+      add(Math.round(hit.nz * FACET));
+    }
+  }
+}

@@ -1,0 +1,95 @@
+package glint.render;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import glint.color.Transfer;
+import java.util.Arrays;
+import net.jqwik.api.ForAll;
+import net.jqwik.api.Property;
+import net.jqwik.api.constraints.IntRange;
+
+/** A pixel divided by a straight edge. */
+class SplitTest {
+
+  /** Patterns of corners that two sides with different ends make, one for every pair of sides. */
+  private static final long[][] PATTERNS = {
+    {1, 2, 1, 2}, {1, 2, 2, 2}, {1, 2, 1, 1}, {1, 1, 2, 1}, {1, 1, 1, 2}, {1, 1, 2, 2},
+  };
+
+  private static final int STEPS = 4;
+
+  @Property(tries = 300)
+  void theMeanIsThatOfTheAreas(
+      @ForAll @IntRange(max = 5) int pattern,
+      @ForAll @IntRange(max = 15) int first,
+      @ForAll @IntRange(max = 15) int second) {
+    CornerGrid corners = corners(PATTERNS[pattern]);
+    Split split = split(corners, first, second);
+    assertTrue(split.look(0, 0));
+    int n = 400;
+    double sum = 0;
+    for (int i = 0; i < n * n; i++) {
+      int column = i % n;
+      int row = i / n;
+      sum += split.at(0, (column + 0.5) / n, (row + 0.5) / n);
+    }
+    assertEquals(
+        sum / (n * n), split.mean(0), 10 * 2.0 / n, () -> Arrays.toString(PATTERNS[pattern]));
+    assertEquals(corners.rgb[0], split.at(0, 0, 0), 1e-15);
+    assertEquals(corners.rgb[3], split.at(0, 1, 0), 1e-15);
+    assertEquals(corners.rgb[6], split.at(0, 0, 1), 1e-15);
+    assertEquals(corners.rgb[9], split.at(0, 1, 1), 1e-15);
+  }
+
+  @Property(tries = 100)
+  void theVarianceIsThatOfPlacesEvenInTheirBrackets(
+      @ForAll @IntRange(max = 5) int pattern,
+      @ForAll @IntRange(max = 15) int first,
+      @ForAll @IntRange(max = 15) int second) {
+    CornerGrid corners = corners(PATTERNS[pattern]);
+    LevelScale scale = new LevelScale(Transfer.LINEAR);
+    Split known = split(corners, first, second);
+    known.look(0, 0);
+    // Sixteen even places in each bracket, as if halved four times more.
+    double sum = 0;
+    for (int i = 0; i < 256; i++) {
+      Split finer = split(corners, first * 16 + i % 16, second * 16 + i / 16, 2 * STEPS);
+      finer.look(0, 0);
+      double error = 255 * (finer.mean(0) - known.mean(0));
+      sum += error * error;
+    }
+    double expected = sum / 256;
+    // A channel in three carries it; corners' areas are products of places, hence the band.
+    assertEquals(expected / 3, known.variance(scale), 0.02 * expected + 1e-4);
+  }
+
+  private static CornerGrid corners(long[] signatures) {
+    CornerGrid corners = new CornerGrid(1, 1);
+    for (int i = 0; i < 4; i++) {
+      corners.signature[i] = signatures[i];
+      corners.rgb[3 * i] = signatures[i] == 1 ? 0.25 : 0.35;
+    }
+    return corners;
+  }
+
+  private static Split split(CornerGrid corners, int first, int second) {
+    return split(corners, first, second, STEPS);
+  }
+
+  /** Places the crossings of the first two sides with different ends, in the order of numbers. */
+  private static Split split(CornerGrid corners, int first, int second, int steps) {
+    Sides sides = new Sides(corners, 0);
+    int[] numbers = {sides.top(0, 0), sides.bottom(0, 0), sides.left(0, 0), sides.right(0, 0)};
+    int[][] ends = {{0, 1}, {2, 3}, {0, 2}, {1, 3}};
+    int found = 0;
+    for (int i = 0; i < 4; i++) {
+      if (corners.signature[ends[i][0]] != corners.signature[ends[i][1]]) {
+        sides.steps[numbers[i]] = (byte) steps;
+        sides.low[numbers[i]] = Math.scalb((float) (found == 0 ? first : second), -steps);
+        sides.high[numbers[i]] = Math.scalb((float) (found++ == 0 ? first : second) + 1, -steps);
+      }
+    }
+    return new Split(corners, sides);
+  }
+}
