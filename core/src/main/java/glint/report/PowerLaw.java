@@ -31,4 +31,9 @@ public record PowerLaw(double factor, double slope) {
   public double at(double x) {
     return factor * StrictMath.pow(x, slope);
   }
+
+  /** Returns x where the curve has a height y. */
+  public double inverse(double y) {
+    return StrictMath.pow(y / factor, 1 / slope);
+  }
 }

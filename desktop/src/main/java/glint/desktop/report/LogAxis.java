@@ -20,9 +20,4 @@ record LogAxis(int low, int high, IntFunction<String> words) {
   double place(double value) {
     return (Math.log10(value) - low) / (high - low);
   }
-
-  /** Returns whether the axis reaches as far as a value. */
-  boolean holds(double value) {
-    return place(value) >= 0 && place(value) <= 1;
-  }
 }

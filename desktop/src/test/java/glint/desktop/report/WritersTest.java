@@ -7,7 +7,12 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import com.google.gson.JsonArray;
 import com.google.gson.JsonObject;
 import com.google.gson.JsonParser;
+import glint.report.Curve;
+import glint.report.Errors;
+import glint.report.Measurement;
 import glint.report.Measurement.Cost;
+import glint.report.Rays;
+import glint.report.Spread;
 import java.io.StringReader;
 import java.util.ArrayList;
 import java.util.List;
@@ -70,8 +75,49 @@ class WritersTest {
     assertEquals(-9, axis.low());
     assertEquals(5, axis.high());
     assertEquals(0.5, axis.place(1e-2), 1e-12);
-    assertFalse(axis.holds(1e-10));
     assertEquals(1, LogAxis.around(1, 1, power -> "").high());
+  }
+
+  @Test
+  void linesFollowTheirLawsAndEndAtTheAxes() throws Exception {
+    List<Element> lines = elements(xml(FILES.get("speed-and-error-rays.svg")), "path");
+    lines.removeIf(line -> line.getAttribute("stroke").equals("#e4e4e4"));
+    // Two of the legend, then the slope -1/2 through 2 k rays and 5 levels, then the law itself.
+    assertEquals(4, lines.size());
+    double decade = (276 - 58) / 2.0;
+    double levels = (196 - 40) / 2.0;
+    double end = 58 + decade * Math.log10(16);
+    assertLine(
+        lines.get(2),
+        58,
+        40 + levels * Math.log10(Math.sqrt(2)),
+        end,
+        40 + levels * Math.log10(Math.sqrt(32)));
+    assertLine(lines.get(3), 58, 40, end, 40 + levels * Math.log10(16));
+    assertEquals("5 3", lines.get(3).getAttribute("stroke-dasharray"));
+  }
+
+  @Test
+  void linesThatLeaveTheAxesAreCut() throws Exception {
+    Errors first = new Errors(0.5, 0, 0, 0);
+    Errors second = new Errors(0.2, 0, 0, 0);
+    Spread seconds = Spread.of(1);
+    List<Measurement> points =
+        List.of(
+            new Measurement(1, List.of(first), seconds, new Rays(1e3, 0, 0, 0), true),
+            new Measurement(2, List.of(second), seconds, new Rays(1e5, 0, 0, 0), true));
+    Curve law = Example.report().entries().get(0).uniform();
+    Curve curve = new Curve(law.truth(), points, 0, true);
+    Report.Entry entry = new Report.Entry("f", "n".repeat(99), "t", 1, 1, curve);
+    Document svg = xml(PanelChart.of(List.of(entry), Cost.RAYS).orElseThrow());
+    List<Element> lines = elements(svg, "path");
+    lines.removeIf(line -> line.getAttribute("stroke").equals("#e4e4e4"));
+    // The slope -1/2 through 100 k rays and 0.2 levels reaches 1 level, the top, at 4 k rays.
+    double start = 58 + (276 - 58) / 2.0 * Math.log10(4);
+    assertEquals(3, lines.size());
+    assertLine(lines.get(2), start, 40, 276, 40 + (196 - 40) * Math.log10(5));
+    // A name that is too long for its chart is cut, too.
+    assertEquals("n".repeat(34) + "…", elements(svg, "text").get(5).getTextContent());
   }
 
   @Test
@@ -151,6 +197,14 @@ class WritersTest {
     assertEquals("1.00 k", Numbers.prefixed(999.7, ""));
     assertEquals("250 M", Numbers.prefixed(2.5e8, ""));
     assertEquals("0.000123", Numbers.digits(0.000123456));
+  }
+
+  private static void assertLine(Element line, double x0, double y0, double x1, double y1) {
+    String[] ends = line.getAttribute("d").split("[ML ]");
+    double[] wanted = {x0, y0, x1, y1};
+    for (int i = 0; i < 4; i++) {
+      assertEquals(wanted[i], Double.parseDouble(ends[i + 1]), 0.06, line.getAttribute("d"));
+    }
   }
 
   private static double shift(Element group) {
