@@ -64,13 +64,28 @@ public final class DisplacedSphere {
   public static void main(String[] args) throws IOException {
     Path folder = Files.createDirectories(Path.of(args[0]));
     int n = args.length > 1 ? Integer.parseInt(args[1]) : FREQUENCY;
+    DisplacedSphere sphere = made(n);
+    sphere.write(folder.resolve("displaced-sphere.obj"));
+    String scene = SCENE.formatted(sphere.triangleCount);
+    Files.writeString(folder.resolve("displaced-sphere.yaml"), scene);
+  }
+
+  private static DisplacedSphere made(int n) {
     DisplacedSphere sphere = new DisplacedSphere(n);
     sphere.divide();
     sphere.displace();
     sphere.normalize();
-    sphere.write(folder.resolve("displaced-sphere.obj"));
-    String scene = SCENE.formatted(sphere.triangleCount);
-    Files.writeString(folder.resolve("displaced-sphere.yaml"), scene);
+    return sphere;
+  }
+
+  /** Returns the corners of all triangles as the model has them, nine numbers each. */
+  static float[] corners() {
+    DisplacedSphere sphere = made(FREQUENCY);
+    float[] corners = new float[3 * sphere.triangles.length];
+    for (int i = 0; i < corners.length; i++) {
+      corners[i] = (float) sphere.points[3 * sphere.triangles[i / 3] + i % 3];
+    }
+    return corners;
   }
 
   /** Divides the faces of an icosahedron; those at an edge share its points. */
