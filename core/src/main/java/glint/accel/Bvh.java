@@ -18,27 +18,33 @@ public final class Bvh {
   /** Boxes are this share of the largest coordinate wider than their primitives. */
   static final double MARGIN = 0x1p-40;
 
+  /** How many ints a node takes. */
+  static final int NODE = 14;
+
+  /** Where in a node the children stand. */
+  static final int CHILDREN = 12;
+
   /** The primitives, unbounded ones first, then those of leaf after leaf. */
   private final Primitives primitives;
 
-  /** Least and greatest corner of the first child, then of the second: twelve floats a node. */
-  final float[] boxes;
-
-  /** Two children a node: a node, or the complement of a leaf's start and size. */
-  final int[] children;
+  /**
+   * The nodes, all that a visit needs in one place: the bits of twelve floats, the least and the
+   * greatest corner of the first child, then of the second; and two children, each the place of a
+   * node in this array or a packed leaf.
+   */
+  final int[] nodes;
 
   /** The largest absolute coordinate of the bounded primitives' boxes. */
   final double size;
 
-  /** Where a walk begins: node 0, or a leaf that holds the few there are. */
+  /** Where a walk begins: the first node, at 0, or a leaf that holds the few there are. */
   final int root;
 
-  private Bvh(Primitives primitives, double size, int root, float[] boxes, int[] children) {
+  private Bvh(Primitives primitives, double size, int root, int[] nodes) {
     this.primitives = primitives;
     this.size = size;
     this.root = root;
-    this.boxes = boxes;
-    this.children = children;
+    this.nodes = nodes;
   }
 
   /** Builds a tree. */
@@ -47,24 +53,25 @@ public final class Bvh {
     BvhBuilder builder = new BvhBuilder(primitives, size * MARGIN);
     int root = builder.build();
     // Close the gaps that leaves of several primitives left in the numbering.
-    int[] renumbered = new int[builder.used.length];
-    int nodes = 0;
-    for (int i = 0; i < renumbered.length; i++) {
-      renumbered[i] = nodes;
-      nodes += builder.used[i] ? 1 : 0;
+    int[] place = new int[builder.used.length];
+    int end = 0;
+    for (int i = 0; i < place.length; i++) {
+      place[i] = end;
+      end += builder.used[i] ? NODE : 0;
     }
-    float[] boxes = new float[12 * nodes];
-    int[] children = new int[2 * nodes];
-    for (int i = 0; i < renumbered.length; i++) {
+    int[] nodes = new int[end];
+    for (int i = 0; i < place.length; i++) {
       if (builder.used[i]) {
-        System.arraycopy(builder.childBoxes, 12 * i, boxes, 12 * renumbered[i], 12);
+        for (int j = 0; j < CHILDREN; j++) {
+          nodes[place[i] + j] = Float.floatToIntBits(builder.childBoxes[CHILDREN * i + j]);
+        }
         for (int side = 0; side < 2; side++) {
           int child = builder.children[2 * i + side];
-          children[2 * renumbered[i] + side] = child < 0 ? child : renumbered[child];
+          nodes[place[i] + CHILDREN + side] = child < 0 ? child : place[child];
         }
       }
     }
-    return new Bvh(primitives.reordered(builder.order), size, root, boxes, children);
+    return new Bvh(primitives.reordered(builder.order), size, root, nodes);
   }
 
   /** Returns the primitives in the order in which this tree refers to them. */
@@ -79,12 +86,12 @@ public final class Bvh {
 
   /** Returns the number of nodes. */
   public int nodes() {
-    return children.length / 2;
+    return nodes.length / NODE;
   }
 
   /** Returns what the nodes take in memory. */
   public long bytes() {
-    return 4L * boxes.length + 4L * children.length;
+    return 4L * nodes.length;
   }
 
   /** Returns the longest path from the root to a leaf, counted in nodes. */
@@ -93,7 +100,10 @@ public final class Bvh {
   }
 
   private int depth(int node) {
-    return node < 0 ? 0 : 1 + Math.max(depth(children[2 * node]), depth(children[2 * node + 1]));
+    if (node < 0) {
+      return 0;
+    }
+    return 1 + Math.max(depth(nodes[node + CHILDREN]), depth(nodes[node + CHILDREN + 1]));
   }
 
   /**
@@ -120,11 +130,13 @@ public final class Bvh {
       return least;
     }
     for (int side = 0; side < 2; side++) {
-      least = Math.min(least, margin(children[2 * child + side], one));
+      least = Math.min(least, margin(nodes[child + CHILDREN + side], one));
       merge(held, one);
       for (int axis = 0; axis < 3; axis++) {
-        int at = 12 * child + 6 * side + axis;
-        double room = Math.min(one[axis] - boxes[at], boxes[at + 3] - one[3 + axis]);
+        int at = child + 6 * side + axis;
+        double low = Float.intBitsToFloat(nodes[at]);
+        double high = Float.intBitsToFloat(nodes[at + 3]);
+        double room = Math.min(one[axis] - low, high - one[3 + axis]);
         least = Math.min(least, room);
       }
     }

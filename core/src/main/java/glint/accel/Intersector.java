@@ -130,8 +130,7 @@ public final class Intersector {
   }
 
   private void walk(Ray ray, Hit hit, boolean stopAtFirst) {
-    float[] boxes = tree.boxes;
-    int[] children = tree.children;
+    int[] nodes = tree.nodes;
     int bounded = primitives.unbounded();
     // Choose the near and far plane of each slab by the sign of the direction.
     int lowX = inverseX > 0 ? 0 : 3;
@@ -147,13 +146,12 @@ public final class Intersector {
     while (node != END) {
       while (node >= 0) {
         nodesVisited++;
-        int at = 12 * node;
-        int near0 = enter(boxes, at + lowX, at + lowY, at + lowZ, start);
-        int far0 = leave(boxes, at + highX, at + highY, at + highZ, end);
-        int near1 = enter(boxes, at + 6 + lowX, at + 6 + lowY, at + 6 + lowZ, start);
-        int far1 = leave(boxes, at + 6 + highX, at + 6 + highY, at + 6 + highZ, end);
-        int first = children[2 * node];
-        int second = children[2 * node + 1];
+        int near0 = enter(nodes, node + lowX, node + lowY, node + lowZ, start);
+        int far0 = leave(nodes, node + highX, node + highY, node + highZ, end);
+        int near1 = enter(nodes, node + 6 + lowX, node + 6 + lowY, node + 6 + lowZ, start);
+        int far1 = leave(nodes, node + 6 + highX, node + 6 + highY, node + 6 + highZ, end);
+        int first = nodes[node + Bvh.CHILDREN];
+        int second = nodes[node + Bvh.CHILDREN + 1];
         if (near0 <= far0 && near1 <= far1) {
           // Visit the nearer child first, the other one later.
           boolean swap = near1 < near0;
@@ -172,7 +170,7 @@ public final class Intersector {
       if (node != END) {
         int slot = bounded + Bvh.leafStart(node);
         for (int last = slot + Bvh.leafSize(node); slot < last; slot++) {
-          primitives.intersect(slot, ray, hit, local);
+          primitives.intersectBounded(slot, ray, hit, local);
         }
         if (stopAtFirst && hit.found()) {
           return;
@@ -195,18 +193,18 @@ public final class Intersector {
    * maximum with {@code start} is, that never turns an order round, so no box is missed; and the
    * maxima and minima of ints need no branch, which incoherent rays would often mispredict.
    */
-  private int enter(float[] boxes, int x, int y, int z, int start) {
-    int tx = bits((boxes[x] - nearX) * inverseX);
-    int ty = bits((boxes[y] - nearY) * inverseY);
-    int tz = bits((boxes[z] - nearZ) * inverseZ);
+  private int enter(int[] nodes, int x, int y, int z, int start) {
+    int tx = bits((Float.intBitsToFloat(nodes[x]) - nearX) * inverseX);
+    int ty = bits((Float.intBitsToFloat(nodes[y]) - nearY) * inverseY);
+    int tz = bits((Float.intBitsToFloat(nodes[z]) - nearZ) * inverseZ);
     return Math.max(Math.max(tx, ty), Math.max(tz, start));
   }
 
   /** The t at which a ray leaves the first of three slabs, at most {@code end}; or below zero. */
-  private int leave(float[] boxes, int x, int y, int z, int end) {
-    int tx = bits((boxes[x] - farX) * inverseX);
-    int ty = bits((boxes[y] - farY) * inverseY);
-    int tz = bits((boxes[z] - farZ) * inverseZ);
+  private int leave(int[] nodes, int x, int y, int z, int end) {
+    int tx = bits((Float.intBitsToFloat(nodes[x]) - farX) * inverseX);
+    int ty = bits((Float.intBitsToFloat(nodes[y]) - farY) * inverseY);
+    int tz = bits((Float.intBitsToFloat(nodes[z]) - farZ) * inverseZ);
     return Math.min(Math.min(tx, ty), Math.min(tz, end));
   }
 
