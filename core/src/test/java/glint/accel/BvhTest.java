@@ -7,6 +7,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import glint.geometry.Box;
 import glint.geometry.Cylinder;
 import glint.geometry.Hit;
+import glint.geometry.Mesh;
 import glint.geometry.Plane;
 import glint.geometry.Primitives;
 import glint.geometry.Quad;
@@ -105,6 +106,37 @@ class BvhTest {
     Primitives soup = soup(r, count, count < 20 ? 0.05 : 0.5);
     assertSame(soup, r, 10_000, 3);
     assertSame(soup, r, 2_000, 1e6);
+  }
+
+  /** Worlds of one kind, of two that take as many numbers, and of two that don't, behind planes. */
+  @ParameterizedTest
+  @ValueSource(ints = {0, 1, 2, 3, 4, 5, 6})
+  void surfacesThatAreAlike(int kind) {
+    Random r = new Random(kind);
+    Primitives.Builder builder = new Primitives.Builder();
+    Transform mirrored = Transform.scale(v(-1, 1, 1));
+    Transform flattened = Transform.scale(v(1, 0.4, 1));
+    for (int i = 0; i < 60; i++) {
+      Surface triangle = new Triangle(random(r, 1), random(r, 1), random(r, 1));
+      Surface sphere = new Sphere(random(r, 1), 0.2);
+      Transform to = Transform.IDENTITY;
+      Surface shape = sphere;
+      switch (kind) {
+        case 0 -> {}
+        case 1 -> shape = triangle;
+        case 2 -> {
+          double[] points = r.doubles(9, -1, 1).toArray();
+          shape = new Mesh(points, new int[] {0, 1, 2});
+          to = i % 2 == 0 ? Transform.IDENTITY : mirrored;
+        }
+        case 3 -> to = flattened;
+        case 4 -> shape = i % 2 == 0 ? sphere : triangle;
+        case 5 -> to = i % 2 == 0 ? Transform.IDENTITY : flattened;
+        default -> shape = i % 20 == 3 ? new Plane(random(r, 9), random(r, 1)) : triangle;
+      }
+      builder.add(shape, to, i);
+    }
+    assertSame(builder.build(), r, 2_000, 3);
   }
 
   @Test
