@@ -102,6 +102,10 @@ class StartMediaTest {
     Placement lid = Placement.of(new Quad(v(-1, -1, 2), v(2, 0, 0), v(0, 2, 0)), Material.WHITE);
     assertFaded(1.5, seen(at(v(0, 0, 5), NARROW, 5.5), 1, 0, 0, ball, wall));
     assertFaded(1.5, seen(at(v(0, 0, 5), NARROW, 5.5), 1, 0, 0, lid, ball));
+    // The ball is known from the start: a smaller one, twice as dense, is entered from within it.
+    Placement small = Placement.of(new Sphere(v(0, 0, -1), 0.25), medium(1, 2 * SIGMA, 0));
+    assertFaded(2, seen(at(v(0, 0, 5), NARROW, 5.5), 1, 0, 0, ball, wall, small));
+    assertFaded(2, seen(at(v(0, 0, 5), NARROW, 5.5), 1, 0, 0, ball, lid, small));
   }
 
   @Test

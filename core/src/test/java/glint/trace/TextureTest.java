@@ -175,10 +175,10 @@ class TextureTest {
   void aFaceAtTheSameAngleToTwoAxesIsOfOnePiece() {
     // Normal (0, 1, 1): y is left out, before and after a turn that rounds.
     Quad slope = new Quad(v(-4, -1, 1), v(8, 0, 0), v(0, 2, -2));
-    Transform turned = Transform.rotate(Quaternion.aboutAxis(v(3, 1, 2), 77));
     for (int i = 0; i < 200; i++) {
       double x = -0.99 + 0.0097 * i;
       double z = 0.95 - 0.0083 * i;
+      Transform turned = Transform.rotate(Quaternion.aboutAxis(v(3, 1, 2), i));
       Vector3d from = v(x, 5, z);
       Vector3d to = v(x, -z, z);
       double expected = parity(cell(x) + cell(z));
