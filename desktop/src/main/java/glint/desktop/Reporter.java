@@ -8,6 +8,9 @@ import java.util.stream.Collectors;
 /** Tells whoever started a batch how it goes: bars on a terminal, else one line per scene. */
 final class Reporter implements AutoCloseable {
 
+  /** The share of the error by sampling from which that by truncation is told as well. */
+  private static final double TOLD = 0.2;
+
   private final PrintWriter err;
   private final boolean quiet;
   private final boolean bars;
@@ -68,11 +71,17 @@ final class Reporter implements AutoCloseable {
   /** Returns how many samples a pixel took, and what error that has left. */
   private static String quality(SceneStats s) {
     SceneStats.Samples samples = s.samples();
-    if (samples.min() == samples.max()) {
+    SceneStats.ErrorEstimate error = s.error();
+    if (error.estimate() == null) {
       return Figures.count(samples.min(), "sample");
     }
-    return String.format(
-        Locale.ROOT, "%.1f samples, error %.2g levels", samples.mean(), s.error().estimate());
+    double sampling = error.estimate() - error.truncation();
+    String line =
+        String.format(Locale.ROOT, "%.1f samples, error %.2g levels", samples.mean(), sampling);
+    boolean more = error.truncation() > TOLD * sampling;
+    return more
+        ? line + String.format(Locale.ROOT, " and up to %.2g of light cut off", error.truncation())
+        : line;
   }
 
   /** Ends a scene whose files are there already. */
