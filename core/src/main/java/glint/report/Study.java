@@ -89,7 +89,7 @@ public final class Study {
     // Seeds before those of the runs, so that no sample is shared with what is measured.
     Image one = render(half, settings.seed() - 1).image();
     Image two = render(half, settings.seed() - 2).image();
-    return Reference.of(one, two, half, transfer);
+    return Reference.of(one, two, "2 × " + half + " samples", transfer);
   }
 
   private Measurement measure(int samples, Truth truth) {

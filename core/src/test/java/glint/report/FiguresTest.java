@@ -61,8 +61,8 @@ class FiguresTest {
     Image two = new Image(1, 1);
     one.set(0, 0, 0.5, 0.25, 0);
     two.set(0, 0, 0.25, 0.25, 0);
-    Reference reference = Reference.of(one, two, 64, Transfer.LINEAR);
-    assertEquals(128, reference.samples());
+    Reference reference = Reference.of(one, two, "both", Transfer.LINEAR);
+    assertEquals("both", reference.origin());
     assertEquals(0.375, reference.image().rgb()[0]);
     assertEquals(255 * 0.25 / Math.sqrt(3) / 2, reference.uncertainty(), 1e-12);
     assertEquals(0.125, reference.errors(one).maxLinear());

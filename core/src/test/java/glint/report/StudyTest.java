@@ -169,7 +169,7 @@ class StudyTest {
     assertTrue(curve.truth() instanceof Reference);
     Reference reference = (Reference) curve.truth();
     // The seeds before the first differ in parity, so that the halves lie on both sides.
-    assertEquals(1280, reference.samples());
+    assertEquals("2 × 640 samples", reference.origin());
     assertEquals(0.5, reference.image().rgb()[0], 1e-15);
     assertEquals(255 * 0.2 * Math.pow(640, -0.75), reference.uncertainty(), 1e-10);
     // Errors of at least ten times as much are claimed: up to 640 / 10^(4/3) = 29.7 samples.
@@ -187,7 +187,7 @@ class StudyTest {
   void aReferenceTakesAtMostHalfOfTheTime() {
     Curve curve = study(1024, 2, null);
     // Two halves of 256 take 0.512 s of 1 s; of 512 they would take more.
-    assertEquals(512, ((Reference) curve.truth()).samples());
+    assertEquals("2 × 256 samples", curve.truth().origin());
     assertFalse(curve.complete());
     assertEquals(List.of(1, 2, 4, 8, 16, 32), samples(curve));
   }

@@ -30,7 +30,7 @@ final class Example {
     Report.Environment environment =
         new Report.Environment("9.9", "abc1234", "Some JVM", "Some machine <1 & only>", 2);
     Image image = new Image(1, 1);
-    Truth reference = new Reference(image, 64, 0.125, Transfer.LINEAR);
+    Truth reference = new Reference(image, "2 × 32 samples", 0.125, Transfer.LINEAR);
     Truth mean = new Answers(List.of(MEAN), Transfer.SRGB);
     return new Report(
         "glint report a",
