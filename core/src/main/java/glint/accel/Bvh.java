@@ -2,6 +2,8 @@ package glint.accel;
 
 import glint.geometry.Primitives;
 import java.util.Arrays;
+import java.util.List;
+import java.util.stream.Collectors;
 
 /**
  * A bounding volume hierarchy over the bounded primitives of a scene, in flat arrays; immutable.
@@ -40,15 +42,21 @@ public final class Bvh {
   /** Where a walk begins: the first node, at 0, or a leaf that holds the few there are. */
   final int root;
 
-  private Bvh(Primitives primitives, double size, int root, int[] nodes) {
+  /** The trees over the models that instances show. */
+  final List<Bvh> models;
+
+  private Bvh(Primitives primitives, List<Bvh> models, double size, int root, int[] nodes) {
     this.primitives = primitives;
+    this.models = models;
     this.size = size;
     this.root = root;
     this.nodes = nodes;
   }
 
-  /** Builds a tree. */
+  /** Builds a tree, and one over each model. */
   public static Bvh over(Primitives primitives) {
+    List<Bvh> models = primitives.models().stream().map(Bvh::over).collect(Collectors.toList());
+    List<Primitives> shown = models.stream().map(Bvh::primitives).collect(Collectors.toList());
     double size = largestCoordinate(primitives);
     BvhBuilder builder = new BvhBuilder(primitives, size * MARGIN);
     int root = builder.build();
@@ -71,7 +79,8 @@ public final class Bvh {
         }
       }
     }
-    return new Bvh(primitives.reordered(builder.order), size, root, nodes);
+    Primitives ordered = primitives.reordered(builder.order, shown);
+    return new Bvh(ordered, models, size, root, nodes);
   }
 
   /** Returns the primitives in the order in which this tree refers to them. */
@@ -89,9 +98,9 @@ public final class Bvh {
     return nodes.length / NODE;
   }
 
-  /** Returns what the nodes take in memory. */
+  /** Returns what the nodes take in memory, those over models included. */
   public long bytes() {
-    return 4L * nodes.length;
+    return 4L * nodes.length + models.stream().mapToLong(Bvh::bytes).sum();
   }
 
   /** Returns the longest path from the root to a leaf, counted in nodes. */

@@ -34,6 +34,16 @@ public final class Intersector {
   private final Primitives primitives;
   private final Bvh tree;
   private final Ray local = new Ray();
+
+  /** Searches of the models that instances show, and whether there are any. */
+  private final Intersector[] models;
+
+  private final boolean instanced;
+
+  /** Where this is a search of a model: the ray as the model sees it, and what it hits. */
+  private final Ray inModel = new Ray();
+
+  private final Hit found = new Hit();
   private final int[] stack = new int[Bvh.MAX_DEPTH];
   private final int[] stackNear = new int[Bvh.MAX_DEPTH];
 
@@ -54,12 +64,16 @@ public final class Intersector {
   public Intersector(Bvh tree) {
     this.primitives = tree.primitives();
     this.tree = tree;
+    models = tree.models.stream().map(Intersector::new).toArray(Intersector[]::new);
+    instanced = models.length > 0;
   }
 
   /** Searches without a tree: the fastest way for a handful, and the reference for any tree. */
   public Intersector(Primitives primitives) {
     this.primitives = primitives;
     this.tree = null;
+    models = primitives.models().stream().map(Intersector::new).toArray(Intersector[]::new);
+    instanced = models.length > 0;
   }
 
   /** Finds the hit with the least t in {@code (ray.tMin, tMax]}. */
@@ -80,15 +94,36 @@ public final class Intersector {
     primitives.resolve(ray, hit, local);
   }
 
-  /** Returns how many nodes of the tree were looked at so far. */
+  /** Returns how many nodes of the tree, and of those over models, were looked at so far. */
   public long nodesVisited() {
-    return nodesVisited;
+    long all = nodesVisited;
+    for (Intersector model : models) {
+      all += model.nodesVisited();
+    }
+    return all;
+  }
+
+  /** Offers the hit of a ray with the primitive in one slot, which may be a model at a place. */
+  public void intersect(int slot, Ray ray, Hit hit) {
+    intersect(slot, ray, hit, false);
+  }
+
+  private void intersect(int slot, Ray ray, Hit hit, boolean stopAtFirst) {
+    if (instanced && primitives.isInstance(slot)) {
+      Intersector model = models[primitives.model(slot)];
+      primitives.toModel(slot, ray, hit, model.inModel);
+      model.found.begin(hit.t);
+      model.search(model.inModel, model.found, stopAtFirst);
+      primitives.offer(slot, model.found, hit);
+    } else {
+      primitives.intersect(slot, ray, hit, local);
+    }
   }
 
   private void search(Ray ray, Hit hit, boolean stopAtFirst) {
     int linear = tree == null ? primitives.count() : primitives.unbounded();
     for (int slot = 0; slot < linear; slot++) {
-      primitives.intersect(slot, ray, hit, local);
+      intersect(slot, ray, hit, stopAtFirst);
       if (stopAtFirst && hit.found()) {
         return;
       }
@@ -140,7 +175,8 @@ public final class Intersector {
     int highY = 5 - lowY;
     int highZ = 7 - lowZ;
     int start = bits(ray.tMin);
-    int end = bits(hit.t);
+    double scale = ray.perWorldUnit();
+    int end = bits(hit.t * scale);
     int top = 0;
     int node = tree.root;
     while (node != END) {
@@ -170,12 +206,16 @@ public final class Intersector {
       if (node != END) {
         int slot = bounded + Bvh.leafStart(node);
         for (int last = slot + Bvh.leafSize(node); slot < last; slot++) {
-          primitives.intersectBounded(slot, ray, hit, local);
+          if (instanced) {
+            intersect(slot, ray, hit, stopAtFirst);
+          } else {
+            primitives.intersectBounded(slot, ray, hit, local);
+          }
         }
         if (stopAtFirst && hit.found()) {
           return;
         }
-        end = bits(hit.t);
+        end = bits(hit.t * scale);
       }
       // Take up the next child that begins before the closest hit.
       node = END;

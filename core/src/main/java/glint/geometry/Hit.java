@@ -31,6 +31,11 @@ public final class Hit {
   /** Where the primitive hit stands in its arrays. */
   int slot;
 
+  /** Of an instance, the number of the triangle in its model, and where that stands there. */
+  int part;
+
+  int partSlot;
+
   /** Whether the ray enters the surface's inside here (1), leaves it (-1), or only touches (0). */
   public int crossing;
 
@@ -195,6 +200,8 @@ public final class Hit {
     t = other.t;
     primitive = other.primitive;
     slot = other.slot;
+    part = other.part;
+    partSlot = other.partSlot;
     crossing = other.crossing;
     u = other.u;
     v = other.v;

@@ -18,6 +18,9 @@ public final class Mesh implements Surface {
   private final double[] points;
   private final int[] corners;
 
+  /** The least and the greatest coordinates of all points; the origin if there are none. */
+  private final double[] box;
+
   /** Unit normals, at three corners of a triangle or at none. */
   private final CornerValues normals;
 
@@ -35,10 +38,15 @@ public final class Mesh implements Surface {
     if (points.length % 3 != 0 || corners.length % 3 != 0) {
       throw new IllegalArgumentException("points and corners come in threes");
     }
-    for (double v : points) {
+    box = new double[6];
+    for (int i = 0; i < points.length; i++) {
+      double v = points[i];
       if (!(Math.abs(v) <= Check.LARGEST)) {
         throw new BadValueException("mesh", "must have finite coordinates up to 1e100, not " + v);
       }
+      int axis = i % 3;
+      box[axis] = i < 3 ? v : Math.min(box[axis], v);
+      box[3 + axis] = i < 3 ? v : Math.max(box[3 + axis], v);
     }
     for (int corner : corners) {
       if (corner < 0 || corner >= points.length / 3) {
@@ -56,6 +64,7 @@ public final class Mesh implements Surface {
   private Mesh(Mesh other, CornerValues normals, CornerValues texture, MeshParts parts) {
     points = other.points;
     corners = other.corners;
+    box = other.box;
     this.normals = normals;
     this.texture = texture;
     this.parts = parts;
@@ -155,23 +164,22 @@ public final class Mesh implements Surface {
     return MeshEdges.areClosed(points, corners);
   }
 
-  /** Returns the corners of the box around all points; none if there are none. */
+  /** Returns the corners of the box around all points. */
   List<Vector3d> corners() {
-    double[] least = new double[3];
-    double[] greatest = new double[3];
-    for (int i = 0; i < points.length; i++) {
-      least[i % 3] = i < 3 ? points[i] : Math.min(least[i % 3], points[i]);
-      greatest[i % 3] = i < 3 ? points[i] : Math.max(greatest[i % 3], points[i]);
-    }
     List<Vector3d> corners = new ArrayList<>();
     for (int i = 0; i < 8; i++) {
-      corners.add(
-          new Vector3d(
-              (i & 1) == 0 ? least[0] : greatest[0],
-              (i & 2) == 0 ? least[1] : greatest[1],
-              (i & 4) == 0 ? least[2] : greatest[2]));
+      corners.add(new Vector3d(box[3 * (i & 1)], box[1 + 3 * (i >> 1 & 1)], box[2 + 3 * (i >> 2)]));
     }
     return corners;
+  }
+
+  /** Returns the largest absolute coordinate. */
+  public double size() {
+    double size = 0;
+    for (double v : box) {
+      size = Math.max(size, Math.abs(v));
+    }
+    return size;
   }
 
   /** Returns one coordinate, 0 to 2, of a corner, 0 to 2, of a triangle. */

@@ -2,8 +2,11 @@ package glint.geometry;
 
 import glint.math.Transform;
 import glint.math.Vector3d;
+import java.util.ArrayList;
 import java.util.Arrays;
+import java.util.HashMap;
 import java.util.List;
+import java.util.Map;
 import java.util.stream.Collectors;
 
 /**
@@ -25,6 +28,12 @@ public final class Primitives {
   /** A triangle whose outside is where its corners run clockwise. */
   private static final int REVERSED_TRIANGLE = 5;
 
+  /** A model at a place; in place of a start in the data, the number of the place. */
+  private static final int INSTANCE = 6;
+
+  /** The same, but each part of the model is a surface of its own. */
+  private static final int INSTANCE_IN_PARTS = 7;
+
   /** Added to a kind: the data begins with two matrices (see TransformedKernel). */
   private static final int TRANSFORMED = 8;
 
@@ -40,9 +49,10 @@ public final class Primitives {
   private final int[] surface;
   private final double[] data;
 
-  /** For smooth meshes, by surface, the number of its first primitive. */
+  /** For meshes that are not instances, by surface, the number of its first primitive. */
   private final int[] firstNumber;
 
+  private final Instances instances;
   private final int unbounded;
   private final double conditioning;
   private final int degenerate;
@@ -60,6 +70,7 @@ public final class Primitives {
     surface = Arrays.copyOf(b.surface, b.count);
     data = Arrays.copyOf(b.data, b.used);
     firstNumber = b.firstNumber;
+    instances = b.instances();
     this.unbounded = unbounded;
     conditioning = b.conditioning;
     degenerate = b.degenerate;
@@ -72,7 +83,7 @@ public final class Primitives {
     int common = -1;
     for (int slot = unbounded; slot < head.length; slot++) {
       int k = kind(head[slot]) == REVERSED_TRIANGLE ? TRIANGLE : kind(head[slot]);
-      if (k >= TRANSFORMED || (common >= 0 && k != common)) {
+      if (k >= TRANSFORMED || isInstance(slot) || (common >= 0 && k != common)) {
         return -1;
       }
       common = k;
@@ -92,12 +103,50 @@ public final class Primitives {
 
   /** Returns which triangle of its mesh was hit. */
   public int triangle(Hit hit) {
-    return hit.primitive - firstNumber[hit.surface];
+    return isInstance(hit.slot) ? hit.part : hit.primitive - firstNumber[hit.surface];
   }
 
   /** Returns what the arrays take in memory. */
   public long bytes() {
-    return 8L * head.length + 4L * (surface.length + firstNumber.length) + 8L * data.length;
+    long own = 8L * head.length + 4L * (surface.length + firstNumber.length) + 8L * data.length;
+    return own + instances.bytes();
+  }
+
+  /** Returns the meshes in their own space that instances show. */
+  public List<Primitives> models() {
+    return instances.models();
+  }
+
+  /** Returns whether the primitive in a slot is a model at a place: not for a kernel to hit. */
+  public boolean isInstance(int slot) {
+    int k = kind(head[slot]);
+    return k == INSTANCE || k == INSTANCE_IN_PARTS;
+  }
+
+  /** Returns the number of the model that the instance in a slot shows. */
+  public int model(int slot) {
+    return instances.model(start(head[slot]));
+  }
+
+  /** Sets {@code inModel} to a ray as the model of the instance in a slot sees it. */
+  public void toModel(int slot, Ray ray, Hit hit, Ray inModel) {
+    instances.toModel(start(head[slot]), number(head[slot]), ray, inModel, hit.numbers);
+  }
+
+  /** Offers what was found within the model of the instance in a slot to a search. */
+  public void offer(int slot, Hit inModel, Hit hit) {
+    int id = number(head[slot]);
+    boolean nearer = inModel.t < hit.t || (inModel.t == hit.t && id < hit.primitive);
+    if (inModel.found() && nearer) {
+      hit.t = inModel.t;
+      hit.primitive = id;
+      hit.slot = slot;
+      hit.part = inModel.primitive;
+      hit.partSlot = inModel.slot;
+      hit.crossing = inModel.crossing;
+      hit.u = inModel.u;
+      hit.v = inModel.v;
+    }
   }
 
   /** Returns how many primitives have no bounds; they take the first slots. */
@@ -117,13 +166,14 @@ public final class Primitives {
     return conditioning;
   }
 
-  /** Returns the same primitives with the bounded ones in another order, and data in that order. */
-  public Primitives reordered(int[] order) {
-    Builder b = new Builder();
-    b.reserve(head.length, data.length);
-    b.conditioning = conditioning;
-    b.degenerate = degenerate;
-    b.firstNumber = firstNumber;
+  /**
+   * Returns the same primitives with the bounded ones in another order, and data in that order.
+   *
+   * @param models the same models, in orders of their own
+   */
+  public Primitives reordered(int[] order, List<Primitives> models) {
+    Builder b = new Builder(this);
+    b.instances = instances.showing(models);
     for (int slot = 0; slot < head.length; slot++) {
       int from = slot < unbounded ? slot : unbounded + order[slot - unbounded];
       b.put(kind(head[from]), data, start(head[from]), number(head[from]), surface[from]);
@@ -193,7 +243,10 @@ public final class Primitives {
     int at = start(head[slot]);
     int k = kind(head[slot]);
     hit.surface = surface[slot];
-    if (k >= TRANSFORMED) {
+    if (k == INSTANCE || k == INSTANCE_IN_PARTS) {
+      instances.resolve(at, hit);
+      hit.surface += k == INSTANCE_IN_PARTS ? instances.part(at, hit) : 0;
+    } else if (k >= TRANSFORMED) {
       TransformedKernel.toObject(data, at, ray, local);
       double t = hit.t;
       hit.t = t / local.unit;
@@ -203,6 +256,11 @@ public final class Primitives {
     } else {
       resolve(k, at, ray, hit);
     }
+  }
+
+  /** Fills in point, normal and offset of a hit with the triangle in a slot. */
+  void resolveTriangle(int slot, Hit hit) {
+    TriangleKernel.resolve(data, start(head[slot]), hit);
   }
 
   private void resolve(int k, int at, Ray ray, Hit hit) {
@@ -227,7 +285,9 @@ public final class Primitives {
   public void bounds(int slot, double[] out) {
     int at = start(head[slot]);
     int k = kind(head[slot]);
-    if (k >= TRANSFORMED) {
+    if (isInstance(slot)) {
+      instances.bounds(at, out);
+    } else if (k >= TRANSFORMED) {
       bounds(k - TRANSFORMED, at + TransformedKernel.SIZE, out);
       TransformedKernel.boundsToWorld(data, at, out);
     } else {
@@ -242,6 +302,21 @@ public final class Primitives {
       case CYLINDER -> CylinderKernel.bounds(data, at, out);
       default -> TriangleKernel.bounds(data, at, out);
     }
+  }
+
+  /** Returns the box around all bounded primitives; turned inside out if there are none. */
+  double[] box() {
+    double inf = Double.POSITIVE_INFINITY;
+    double[] all = {inf, inf, inf, -inf, -inf, -inf};
+    double[] one = new double[6];
+    for (int slot = unbounded; slot < head.length; slot++) {
+      bounds(slot, one);
+      for (int axis = 0; axis < 3; axis++) {
+        all[axis] = Math.min(all[axis], one[axis]);
+        all[3 + axis] = Math.max(all[3 + axis], one[3 + axis]);
+      }
+    }
+    return all;
   }
 
   private static long pack(int kind, int start, int number) {
@@ -269,6 +344,7 @@ public final class Primitives {
       case PLANE -> PlaneKernel.SIZE;
       case BOX -> BoxKernel.SIZE;
       case CYLINDER -> CylinderKernel.SIZE;
+      case INSTANCE, INSTANCE_IN_PARTS -> 0;
       default -> TriangleKernel.SIZE;
     };
   }
@@ -285,6 +361,37 @@ public final class Primitives {
     private int degenerate;
     private int[] firstNumber = {};
     private double conditioning = 1;
+
+    /** The models that instances show, by mesh, and what they look like so far. */
+    private final Map<Mesh, Integer> models = new HashMap<>();
+
+    private final List<Primitives> shown = new ArrayList<>();
+    private Transform[] places = new Transform[16];
+    private int[] modelOf = new int[16];
+    private int placed;
+
+    /** What is known of instances already, else null. */
+    private Instances instances;
+
+    /** Begins without anything. */
+    public Builder() {}
+
+    /** Begins with what holds for all of some primitives, but none of them. */
+    private Builder(Primitives other) {
+      reserve(other.head.length, other.data.length);
+      firstNumber = other.firstNumber;
+      instances = other.instances;
+      conditioning = other.conditioning;
+      degenerate = other.degenerate;
+    }
+
+    private Instances instances() {
+      if (instances == null) {
+        Transform[] all = Arrays.copyOf(places, placed);
+        instances = new Instances(List.copyOf(shown), all, Arrays.copyOf(modelOf, placed));
+      }
+      return instances;
+    }
 
     /** Adds a surface, carried into the world by {@code toWorld}, under a surface number. */
     public void add(Surface shape, Transform toWorld, int number) {
@@ -323,11 +430,7 @@ public final class Primitives {
     /** Returns the primitives added so far, those without bounds first. */
     public Primitives build() {
       Primitives inOrder = new Primitives(this, 0);
-      Builder sorted = new Builder();
-      sorted.reserve(count, used);
-      sorted.conditioning = conditioning;
-      sorted.degenerate = degenerate;
-      sorted.firstNumber = firstNumber;
+      Builder sorted = new Builder(inOrder);
       int planes = 0;
       for (boolean bounded : new boolean[] {false, true}) {
         for (int i = 0; i < count; i++) {
@@ -408,6 +511,37 @@ public final class Primitives {
       }
     }
 
+    /**
+     * Adds a mesh at a place as an instance: the mesh is kept once, in its own space, however often
+     * it is added.
+     *
+     * @param number the surface's
+     * @param inParts whether each part of the mesh has a number of its own, in order from this one
+     */
+    public void show(Mesh mesh, Transform toWorld, int number, boolean inParts) {
+      if (!models.containsKey(mesh)) {
+        Builder own = new Builder();
+        own.addMesh(mesh, Transform.IDENTITY, 0, true);
+        Primitives model = own.build();
+        degenerate += model.degenerate;
+        models.put(mesh, shown.size());
+        shown.add(model);
+      }
+      int id = next++;
+      int model = models.get(mesh);
+      if (shown.get(model).count() == 0) {
+        return; // there is nothing to hit
+      }
+      if (placed == places.length) {
+        places = Arrays.copyOf(places, 2 * placed);
+        modelOf = Arrays.copyOf(modelOf, 2 * placed);
+      }
+      places[placed] = toWorld;
+      modelOf[placed] = model;
+      conditioning = Math.max(conditioning, toWorld.flattening());
+      put(inParts ? INSTANCE_IN_PARTS : INSTANCE, data, placed++, id, number);
+    }
+
     private void addFlat(List<Vector3d> corners, Transform toWorld, int number) {
       addPolygon(
           corners.stream().map(toWorld::point).collect(Collectors.toList()), TRIANGLE, number);
@@ -467,9 +601,11 @@ public final class Primitives {
         long twice = Math.min(2L * data.length, MAX_DOUBLES);
         reserve(Math.max(count + 1, 2 * head.length), Math.max((long) used + size, twice));
       }
-      head[count] = pack(k, used, id);
+      head[count] = pack(k, size == 0 ? at : used, id);
       surface[count] = ofSurface;
-      System.arraycopy(from, at, data, used, size);
+      if (size > 0) {
+        System.arraycopy(from, at, data, used, size);
+      }
       used += size;
       count++;
     }

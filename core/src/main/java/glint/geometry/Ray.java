@@ -24,6 +24,9 @@ public final class Ray {
   /** The last primitive at {@link #tMin} itself that does not count; by default none there does. */
   int after;
 
+  /** Of the instance {@link #after}, the last triangle that does not count. */
+  int afterPart;
+
   /** What a kernel's parameter is multiplied by to get that of the ray in the world. */
   double unit = 1;
 
@@ -59,12 +62,19 @@ public final class Ray {
     set(other.ox, other.oy, other.oz, other.dx, other.dy, other.dz);
     tMin = other.tMin;
     after = other.after;
+    afterPart = other.afterPart;
   }
 
   /** Sets this ray to go on behind a hit, in the order of t and then of primitives. */
   public void goOnAfter(Hit hit) {
     tMin = hit.t;
     after = hit.primitive;
+    afterPart = hit.part;
+  }
+
+  /** Returns by what a parameter in the world is multiplied to get this ray's: a power of two. */
+  public double perWorldUnit() {
+    return 1 / unit;
   }
 
   /** Returns whether a hit is far enough along this ray to count. */

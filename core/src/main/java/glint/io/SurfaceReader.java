@@ -20,8 +20,10 @@ import glint.scene.NamedMaterial;
 import glint.scene.Placement;
 import java.util.ArrayList;
 import java.util.Collections;
+import java.util.HashMap;
 import java.util.List;
 import java.util.Locale;
+import java.util.Map;
 
 /** Reads surfaces with their materials and transforms. */
 final class SurfaceReader {
@@ -29,6 +31,7 @@ final class SurfaceReader {
   private final Values values;
   private final MaterialReader materials;
   private final Models models;
+  private final Map<List<NamedMaterial>, List<NamedMaterial>> lists = new HashMap<>();
   private final TransformReader transforms;
 
   SurfaceReader(MaterialReader materials, Models models, Values values) {
@@ -50,7 +53,7 @@ final class SurfaceReader {
     Surface surface = shape(section, f);
     Material material = materials.of(f);
     boolean sound = surface != null && material != null;
-    List<NamedMaterial> made = sound ? madeOf(f, surface, material) : List.of();
+    List<NamedMaterial> made = sound ? shared(madeOf(f, surface, material)) : List.of();
     Transform toWorld = transforms.read(f);
     int line = entry.key().place().line();
     return f.build(() -> new Placement(surface, toWorld, made, line));
@@ -63,6 +66,11 @@ final class SurfaceReader {
     }
     String name = f.get("material") instanceof Scalar named ? named.text() : "";
     return List.of(new NamedMaterial(name, material));
+  }
+
+  /** Returns the one list for all surfaces that are made of the same. */
+  private List<NamedMaterial> shared(List<NamedMaterial> made) {
+    return lists.computeIfAbsent(made, List::copyOf);
   }
 
   private Surface shape(Section section, Fields f) {

@@ -1,5 +1,6 @@
 package glint.scene;
 
+import glint.accel.Intersector;
 import glint.geometry.Hit;
 import glint.geometry.Primitives;
 import glint.geometry.Ray;
@@ -23,8 +24,10 @@ final class EyeMedia {
 
   private final Prepared scene;
   private final Primitives primitives;
+  private final Intersector search;
   private final Ray ray = new Ray();
-  private final Ray local = new Ray();
+  private final Ray way = new Ray();
+  private final Hit hit = new Hit();
 
   /** The nearest places, by placement, where the ray goes in and where it comes out. */
   private final Map<Integer, Hit> entries = new TreeMap<>();
@@ -39,7 +42,8 @@ final class EyeMedia {
   /** The nearest ways out of the bodies around the point. */
   private final Map<Integer, Hit> inside = new TreeMap<>();
 
-  EyeMedia(Prepared scene, Primitives primitives) {
+  EyeMedia(Prepared scene, Primitives primitives, Intersector search) {
+    this.search = search;
     this.scene = scene;
     this.primitives = primitives;
     isBody = new boolean[scene.scene().placements().size()];
@@ -67,17 +71,29 @@ final class EyeMedia {
   private void look() {
     entries.clear();
     exits.clear();
-    Hit hit = new Hit();
     for (int slot = 0; slot < primitives.count(); slot++) {
       int place = scene.place(primitives.surface(slot));
       if (isBody[place] && !outside.contains(place)) {
-        hit.begin(Double.POSITIVE_INFINITY);
-        primitives.intersect(slot, ray, hit, local);
-        if (hit.found() && hit.crossing != 0) {
-          keep(place, hit, hit.crossing > 0 ? entries : exits);
-        }
+        look(slot, place);
       }
     }
+  }
+
+  /** Keeps the nearest hits with a primitive: one, or of an instance one of each kind. */
+  private void look(int slot, int place) {
+    boolean entered = false;
+    boolean left = false;
+    way.copy(ray);
+    do {
+      hit.begin(Double.POSITIVE_INFINITY);
+      search.intersect(slot, way, hit);
+      if (hit.found() && hit.crossing != 0) {
+        entered |= hit.crossing > 0;
+        left |= hit.crossing < 0;
+        keep(place, hit, hit.crossing > 0 ? entries : exits);
+      }
+      way.goOnAfter(hit);
+    } while (primitives.isInstance(slot) && hit.found() && !(entered && left));
   }
 
   private static void keep(int place, Hit hit, Map<Integer, Hit> nearest) {
@@ -110,7 +126,7 @@ final class EyeMedia {
 
   /** Returns whether a hit is nearer than another, if there is one, beyond all rounding. */
   private boolean isBefore(Hit hit, Hit other) {
-    primitives.resolve(ray, hit, local);
+    search.resolve(ray, hit);
     return other == null || hit.t + hit.clearance(ray) < other.t;
   }
 }

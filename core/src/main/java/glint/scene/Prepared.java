@@ -17,7 +17,9 @@ import glint.optics.Material;
 import glint.optics.Medium;
 import glint.optics.Texture;
 import java.util.ArrayList;
+import java.util.HashMap;
 import java.util.List;
+import java.util.Map;
 
 /**
  * A scene in the form that rays touch, and the plan of what it needs; immutable, for all workers.
@@ -31,17 +33,20 @@ public final class Prepared {
   private final RenderPlan plan;
   private final Illumination lights;
 
-  /** For each surface the number of its placement; one in parts has a surface for each. */
+  /**
+   * For each surface the number of its placement; empty if none is in parts, which are surfaces.
+   */
   private final int[] place;
 
   private final Material[] materials;
 
-  /** The textures of the surfaces; null where there is none. */
+  /** The textures of the surfaces, null where there is none; empty if no surface has one. */
   private final TexturedSurface[] textures;
 
-  /** The different media of the scene, and for each surface the number of its own. */
+  /** The different media of the scene. */
   private final List<Medium> media = new ArrayList<>();
 
+  /** For each surface the number of its medium; empty if no light goes through any. */
   private final int[] mediumOf;
 
   /** For each surface that lets light through, or a part of which does, whether it is a sheet. */
@@ -63,35 +68,44 @@ public final class Prepared {
     this.lights = lights;
     this.plan = plan;
     int count = scene.placements().stream().mapToInt(p -> p.materials().size()).sum();
-    place = new int[count];
+    place = new int[count > scene.placements().size() ? count : 0];
     materials = new Material[count];
-    textures = new TexturedSurface[count];
-    mediumOf = new int[count];
-    open = new boolean[count];
+    textures = new TexturedSurface[plan.textures().used() ? count : 0];
+    mediumOf = new int[plan.refraction().used() ? count : 0];
+    open = new boolean[mediumOf.length];
+    Map<Mesh, Boolean> closed = new HashMap<>();
     int first = 0;
     for (int i = 0; i < scene.placements().size(); i++) {
-      first = number(i, first);
+      first = number(i, first, closed);
     }
     smooth = plan.smoothNormals().used();
     tree = plan.tree().used() ? Bvh.over(primitives) : null;
     this.primitives = tree == null ? primitives : tree.primitives();
     radianceBound = boundRadiance();
     Vector3d eye = scene.camera().position();
-    boolean media = plan.refraction().used();
-    mediaAtEye = media ? new EyeMedia(this, this.primitives).around(eye) : new int[0];
+    mediaAtEye =
+        plan.refraction().used()
+            ? new EyeMedia(this, this.primitives, intersector()).around(eye)
+            : new int[0];
   }
 
   /** Numbers the surfaces of a placement from the first on; returns the number after its last. */
-  private int number(int placement, int first) {
+  private int number(int placement, int first, Map<Mesh, Boolean> closed) {
     Placement p = scene.placements().get(placement);
-    boolean sheet = p.any(Material::isTransparent) && isSheet(p.surface());
+    boolean sheet = p.any(Material::isTransparent) && isSheet(p.surface(), closed);
     int surface = first;
     for (NamedMaterial named : p.materials()) {
-      place[surface] = placement;
+      if (place.length > 0) {
+        place[surface] = placement;
+      }
       materials[surface] = named.material();
-      textures[surface] = TexturedSurface.of(p, named.material());
-      mediumOf[surface] = mediumNumber(named.material());
-      open[surface] = sheet;
+      if (textures.length > 0) {
+        textures[surface] = TexturedSurface.of(p, named.material());
+      }
+      if (mediumOf.length > 0) {
+        mediumOf[surface] = mediumNumber(named.material());
+        open[surface] = sheet;
+      }
       surface++;
     }
     return surface;
@@ -99,21 +113,30 @@ public final class Prepared {
 
   /** Flattens a scene and decides what it needs. */
   public static Prepared of(Scene scene) {
-    Primitives primitives = flatten(scene);
+    Decision instances = RenderPlan.instances(scene);
+    Primitives primitives = flatten(scene, instances);
     Illumination lights = new Illumination(scene.lights());
-    return new Prepared(scene, primitives, lights, RenderPlan.of(scene, primitives, lights));
+    RenderPlan plan = RenderPlan.of(scene, instances, primitives, lights);
+    return new Prepared(scene, primitives, lights, plan);
   }
 
   /** Flattens a scene under a plan that must use at least what it needs. */
   public static Prepared of(Scene scene, RenderPlan plan) {
-    return new Prepared(scene, flatten(scene), new Illumination(scene.lights()), plan);
+    Primitives primitives = flatten(scene, plan.instances());
+    return new Prepared(scene, primitives, new Illumination(scene.lights()), plan);
   }
 
-  private static Primitives flatten(Scene scene) {
+  private static Primitives flatten(Scene scene, Decision instances) {
+    SharedMeshes shared = new SharedMeshes(scene);
     Primitives.Builder builder = new Primitives.Builder();
     int surface = 0;
     for (Placement p : scene.placements()) {
-      builder.add(p.surface(), p.toWorld(), surface, p.materials().size() > 1);
+      boolean inParts = p.materials().size() > 1;
+      if (instances.used() && shared.isInstance(p)) {
+        builder.show((Mesh) p.surface(), p.toWorld(), surface, inParts);
+      } else {
+        builder.add(p.surface(), p.toWorld(), surface, inParts);
+      }
       surface += p.materials().size();
     }
     return builder.build();
@@ -136,21 +159,21 @@ public final class Prepared {
 
   /** Returns how many surfaces there are. */
   public int surfaces() {
-    return place.length;
+    return materials.length;
   }
 
   /** Returns the number, in the scene, of the placement that a surface is, or is a part of. */
   public int place(int surface) {
-    return place[surface];
+    return place.length > 0 ? place[surface] : surface;
   }
 
   /** Returns what the file calls the material of a surface, or "". */
   public String materialName(int surface) {
     int part = 0;
-    while (part < surface && place[surface - part - 1] == place[surface]) {
+    while (part < surface && place(surface - part - 1) == place(surface)) {
       part++;
     }
-    return scene.placements().get(place[surface]).materials().get(part).name();
+    return scene.placements().get(place(surface)).materials().get(part).name();
   }
 
   /** Returns the material of a surface. */
@@ -158,7 +181,7 @@ public final class Prepared {
     return materials[surface];
   }
 
-  /** Returns what a surface's texture multiplies its colour by at a hit. */
+  /** Returns what a surface's texture multiplies its colour by at a hit, if the plan has any. */
   public Rgb texture(int surface, Hit hit) {
     TexturedSurface textured = textures[surface];
     return textured == null ? Rgb.WHITE : textured.at(hit, primitives.isFlat(hit));
@@ -166,7 +189,7 @@ public final class Prepared {
 
   /**
    * Returns the number of the medium that a surface encloses, or {@link #OUTSIDE} if it encloses
-   * none: if it is opaque or merely filters light.
+   * none: if it is opaque or merely filters light. Not to be asked if the plan has no refraction.
    */
   public int mediumOf(int surface) {
     return mediumOf[surface];
@@ -177,11 +200,11 @@ public final class Prepared {
     return open[surface];
   }
 
-  private static boolean isSheet(Surface shape) {
+  private static boolean isSheet(Surface shape, Map<Mesh, Boolean> closed) {
     return shape instanceof Triangle
         || shape instanceof Quad
         || (shape instanceof Cylinder c && !c.capped())
-        || (shape instanceof Mesh m && !m.isClosed());
+        || (shape instanceof Mesh m && !closed.computeIfAbsent(m, Mesh::isClosed));
   }
 
   /** Returns a medium by its number; outside it is vacuum. */
@@ -209,16 +232,21 @@ public final class Prepared {
   public void face(Ray ray, Hit hit) {
     hit.face(ray);
     if (smooth) {
-      Placement met = scene.placements().get(place[hit.surface]);
+      Placement met = scene.placements().get(place(hit.surface));
       if (met.surface() instanceof Mesh mesh) {
         mesh.shade(primitives.triangle(hit), met.toWorld(), hit);
       }
     }
   }
 
-  /** Returns the number of things that a ray can hit. */
+  /** Returns what a ray can hit. */
+  Primitives primitives() {
+    return primitives;
+  }
+
+  /** Returns the number of things that a ray can hit, those of a shared mesh counted once. */
   public int primitiveCount() {
-    return primitives.count();
+    return primitives.count() + primitives.models().stream().mapToInt(Primitives::count).sum();
   }
 
   /** Returns what the primitives and the tree over them take in memory. */

@@ -14,6 +14,7 @@ import java.util.function.Predicate;
  * <p>These very decisions select the code that runs, and {@code glint plan} prints them.
  */
 public record RenderPlan(
+    Decision instances,
     Decision tree,
     Decision smoothNormals,
     Decision directLight,
@@ -28,8 +29,10 @@ public record RenderPlan(
   private static final int HANDFUL = 8;
 
   /** Looks at a scene once and decides. */
-  static RenderPlan of(Scene scene, Primitives primitives, Illumination lights) {
+  static RenderPlan of(
+      Scene scene, Decision instances, Primitives primitives, Illumination lights) {
     return new RenderPlan(
+        instances,
         tree(primitives),
         smoothNormals(scene),
         directLight(scene, lights),
@@ -45,6 +48,7 @@ public record RenderPlan(
   public static RenderPlan everything() {
     String reason = "everything is switched on";
     return new RenderPlan(
+        new Decision("instances", true, reason),
         new Decision("hierarchy", true, reason),
         new Decision("smooth normals", true, reason),
         new Decision("direct light", true, reason),
@@ -59,13 +63,33 @@ public record RenderPlan(
   /** Returns the decisions in the order in which a ray meets them. */
   public List<Decision> decisions() {
     return List.of(
-        tree, smoothNormals, directLight, shadows, textures, highlights, mirrors, refraction, sky);
+        instances,
+        tree,
+        smoothNormals,
+        directLight,
+        shadows,
+        textures,
+        highlights,
+        mirrors,
+        refraction,
+        sky);
+  }
+
+  /** Decides whether meshes that stand at several places are kept once. */
+  static Decision instances(Scene scene) {
+    SharedMeshes shared = new SharedMeshes(scene);
+    int places = count(scene, shared::isInstance);
+    String which =
+        places == 0
+            ? "no mesh stands at several places"
+            : "meshes kept once, in their own space: " + shared.count() + "; places: " + places;
+    return new Decision("instances", places > 0, which);
   }
 
   private static Decision tree(Primitives primitives) {
     int bounded = primitives.count() - primitives.unbounded();
     String counts = bounded + " bounded primitives, " + primitives.unbounded() + " without bounds";
-    return bounded > HANDFUL
+    return bounded > HANDFUL || !primitives.models().isEmpty()
         ? new Decision("hierarchy", true, "bounding volumes over " + counts)
         : new Decision("hierarchy", false, "a handful is scanned: " + counts);
   }

@@ -26,6 +26,7 @@ public final class HardCases {
     cases.addAll(PathCases.all());
     cases.addAll(ColorCases.all());
     cases.addAll(LeavingCases.all());
+    cases.addAll(InstanceCases.all());
     cases.addAll(AdversarialCases.all());
     return List.copyOf(cases);
   }

@@ -2,6 +2,7 @@ package glint.fuzz;
 
 import glint.color.Rgb;
 import glint.geometry.Box;
+import glint.geometry.CornerValues;
 import glint.geometry.Cylinder;
 import glint.geometry.Mesh;
 import glint.geometry.Plane;
@@ -171,7 +172,7 @@ final class SceneDraw {
       case 7 -> box(e.point(), e.point());
       case 8 -> new Pyramid(e.point(), List.of(e.point(), e.point(), e.point(), e.point()));
       case 9, 10 -> cylinder();
-      default -> mesh();
+      default -> meshes.isEmpty() || chance.oneIn(2) ? mesh() : meshes.get(0).mesh();
     };
   }
 
@@ -207,6 +208,19 @@ final class SceneDraw {
     return new Cylinder(base, top, radius, topRadius, chance.oneIn(2));
   }
 
+  /** Normals that point anywhere, and corners without. */
+  private CornerValues normals(int corners) {
+    double[] values = new double[9];
+    for (int i = 0; i < 9; i++) {
+      values[i] = chance.oneIn(4) ? 0 : chance.oneIn(2) ? extremes.size() : -extremes.size();
+    }
+    int[] indices = new int[corners];
+    for (int i = 0; i < corners; i++) {
+      indices[i] = chance.below(4) - 1;
+    }
+    return new CornerValues(3, values, indices);
+  }
+
   private Mesh mesh() {
     int count = chance.between(3, 6);
     double[] points = new double[3 * count];
@@ -221,6 +235,9 @@ final class SceneDraw {
       corners[i] = chance.oneIn(2) ? i % count : chance.below(count);
     }
     Mesh mesh = new Mesh(points, corners);
+    if (chance.oneIn(2)) {
+      mesh = mesh.withNormals(normals(corners.length), new int[corners.length / 3]);
+    }
     meshes.add(new FuzzScene.MeshNumbers(mesh, points, corners));
     return mesh;
   }

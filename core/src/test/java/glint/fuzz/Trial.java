@@ -2,20 +2,18 @@ package glint.fuzz;
 
 import glint.accel.Intersector;
 import glint.geometry.Hit;
-import glint.geometry.Primitives;
 import glint.geometry.Ray;
 import glint.math.Vector3d;
 import glint.render.Progress;
 import glint.render.RenderResult;
 import glint.render.RenderSettings;
 import glint.render.Renderer;
-import glint.scene.Placement;
 import glint.scene.Prepared;
+import glint.scene.PreparedFacts;
 import glint.scene.RenderPlan;
 import glint.scene.Scene;
 import glint.scene.View;
 import glint.trace.Tracer;
-import java.util.List;
 import java.util.OptionalInt;
 import java.util.Set;
 
@@ -55,7 +53,7 @@ final class Trial {
     radianceBound = Math.min(prepared.radianceBound() * (1 + ROUNDING), Double.MAX_VALUE);
     everything = new Tracer(withTree, depth, 1e-4);
     needed = new Tracer(prepared, depth, 1e-4);
-    scan = new Intersector(flatten(scene));
+    scan = PreparedFacts.scan(withTree);
     tree = withTree.intersector();
     for (FuzzScene.Segment segment : fuzz.rays()) {
       follow(segment);
@@ -67,15 +65,6 @@ final class Trial {
     if (fuzz.seed() % RENDERED == 0) {
       render(prepared);
     }
-  }
-
-  private static Primitives flatten(Scene scene) {
-    Primitives.Builder builder = new Primitives.Builder();
-    List<Placement> placements = scene.placements();
-    for (int i = 0; i < placements.size(); i++) {
-      builder.add(placements.get(i).surface(), placements.get(i).toWorld(), i);
-    }
-    return builder.build();
   }
 
   /** Tries a ray that ends before the segment does, as shadow rays do, and one that does not. */

@@ -126,7 +126,13 @@ class RendererTest {
               .then(Transform.rotate(Quaternion.aboutAxis(new Vector3d(1, 0, 0), 40)))
               .then(Transform.translate(v(0.5, -0.4, 2.5)));
       scene.place(new Placement(new Sphere(Vector3d.ZERO, scale * 0.6), squash, mirror));
-      scene.place(Placement.of(jewel(), mirror));
+      Mesh jewel = jewel();
+      scene.place(Placement.of(jewel, mirror));
+      Transform shrunk =
+          Transform.scale(new Vector3d(0.5, -0.7, 0.6))
+              .then(Transform.rotate(Quaternion.aboutAxis(new Vector3d(1, 0, 0), 25)))
+              .then(Transform.translate(v(-2.3, 3, 0.8)));
+      scene.place(new Placement(jewel, shrunk, mirror));
       scene.place(Placement.of(new Sphere(v(-0.8, -0.2, 3), scale * 0.5), glass(1.5, 1)));
       return scene.place(Placement.of(new Sphere(v(-0.4, -0.4, 3), scale * 0.4), glass(1.3, 0)));
     }
