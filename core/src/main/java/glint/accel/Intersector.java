@@ -174,8 +174,8 @@ public final class Intersector {
     int highX = 3 - lowX;
     int highY = 5 - lowY;
     int highZ = 7 - lowZ;
-    int start = bits(ray.tMin);
     double scale = ray.perWorldUnit();
+    int start = bits(ray.tMin * scale);
     int end = bits(hit.t * scale);
     int top = 0;
     int node = tree.root;

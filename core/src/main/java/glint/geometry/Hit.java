@@ -101,9 +101,8 @@ public final class Hit {
   void offer(Ray ray, double local, int id, int newCrossing, double newU, double newV) {
     double candidate = local * ray.unit;
     if (candidate > 0
-        && candidate >= ray.least
         && (candidate < t || (candidate == t && id < primitive))
-        && ray.reaches(local, id)) {
+        && ray.reaches(candidate, id)) {
       t = candidate;
       primitive = id;
       crossing = newCrossing;
@@ -162,7 +161,7 @@ public final class Hit {
    * Records the hit with a solid, which the ray enters at {@code near} and leaves at {@code far}.
    */
   void offerSolid(Ray ray, double near, double far, int id, double nearPart, double farPart) {
-    boolean outside = ray.reaches(near, id);
+    boolean outside = ray.reaches(near * ray.unit, id);
     int through = near < far ? 1 : 0;
     if (outside) {
       offer(ray, near, id, through, nearPart, 0);

@@ -17,7 +17,8 @@ public final class Ray {
   public double dz;
 
   /**
-   * Hits before this parameter do not count, nor those at it up to the primitive {@link #after}.
+   * Hits before this parameter, of the ray in the world, do not count, nor those at it up to the
+   * primitive {@link #after}.
    */
   public double tMin;
 
@@ -29,9 +30,6 @@ public final class Ray {
 
   /** What a kernel's parameter is multiplied by to get that of the ray in the world. */
   double unit = 1;
-
-  /** The world's tMin, where {@link #tMin} is that of an object. */
-  double least;
 
   // The axis of the largest direction component, the two others in winding order, and the shear.
   int kx;
@@ -77,7 +75,7 @@ public final class Ray {
     return 1 / unit;
   }
 
-  /** Returns whether a hit is far enough along this ray to count. */
+  /** Returns whether a hit, at a parameter of the ray in the world, is far enough to count. */
   boolean reaches(double t, int primitive) {
     return t > tMin || (t == tMin && primitive > after);
   }

@@ -46,8 +46,7 @@ final class TransformedKernel {
         dx * local.unit,
         dy * local.unit,
         dz * local.unit);
-    local.tMin = world.tMin * Ray.power(exponent);
-    local.least = world.tMin;
+    local.tMin = world.tMin;
     local.after = world.after;
   }
 

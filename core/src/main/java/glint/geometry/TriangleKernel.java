@@ -68,7 +68,7 @@ final class TriangleKernel {
       return;
     }
     double t = (u * az + v * bz + w * cz) * ray.shearZ / det;
-    if (!ray.reaches(t, id)) {
+    if (!ray.reaches(t * ray.unit, id)) {
       return;
     }
 
