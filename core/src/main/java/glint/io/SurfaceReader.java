@@ -68,9 +68,9 @@ final class SurfaceReader {
     return List.of(new NamedMaterial(name, material));
   }
 
-  /** Returns the one list for all surfaces that are made of the same. */
+  /** Returns the one list for all surfaces that are made of the same, or null for null. */
   private List<NamedMaterial> shared(List<NamedMaterial> made) {
-    return lists.computeIfAbsent(made, List::copyOf);
+    return made == null ? null : lists.computeIfAbsent(made, List::copyOf);
   }
 
   private Surface shape(Section section, Fields f) {

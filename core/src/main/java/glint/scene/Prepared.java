@@ -181,9 +181,9 @@ public final class Prepared {
     return materials[surface];
   }
 
-  /** Returns what a surface's texture multiplies its colour by at a hit, if the plan has any. */
+  /** Returns what a surface's texture, if it has one, multiplies its colour by at a hit. */
   public Rgb texture(int surface, Hit hit) {
-    TexturedSurface textured = textures[surface];
+    TexturedSurface textured = textures.length == 0 ? null : textures[surface];
     return textured == null ? Rgb.WHITE : textured.at(hit, primitives.isFlat(hit));
   }
 

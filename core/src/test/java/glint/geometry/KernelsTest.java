@@ -144,6 +144,32 @@ class KernelsTest {
     assertEquals(gradient.z(), hit.nz, 1e-14);
   }
 
+  /** Whoever asks again and again for what comes next gets to an end, even among subnormals. */
+  @Test
+  void aTransformedBoxIsMetTwiceHoweverNearItIs() {
+    Random r = new Random(9);
+    Box box = new Box(v(-1e-300, -1e-300, -1e-300), v(0, 1e-300, 1e-300));
+    Ray ray = new Ray();
+    for (int i = 0; i < 1000; i++) {
+      double factor = Math.scalb(1 + r.nextDouble(), -28);
+      Transform small = Transform.scale(v(factor, factor, factor));
+      Quaternion turn = Quaternion.aboutAxis(v(r.nextDouble(), 1, 1), 30 * r.nextDouble());
+      Primitives one = of(box, small.then(Transform.rotate(turn)));
+      Vector3d o = turn(turn, v(-1e-308, 0, 0)).plus(v(-1e-309 * r.nextDouble(), 0, 0));
+      ray.set(o.x(), o.y(), o.z(), 1, r.nextDouble(), r.nextDouble());
+      int met = 0;
+      for (Hit hit = closest(one, ray); hit.found() && met < 3; hit = closest(one, ray)) {
+        ray.goOnAfter(hit);
+        met++;
+      }
+      assertTrue(met < 3);
+    }
+  }
+
+  private static Vector3d turn(Quaternion q, Vector3d v) {
+    return Transform.rotate(q).direction(v);
+  }
+
   @Test
   void aMeshKeepsItsOutsideUnderAMirroringTransform() {
     Mesh mesh = new Mesh(new double[] {0, 0, 0, 1, 0, 0, 0, 1, 0}, new int[] {0, 1, 2});
