@@ -141,21 +141,11 @@ public final class Hit {
     sy = y1 / length;
     sz = z1 / length;
     double missing = 1 - sx * sx - sy * sy - sz * sz;
-    missing -= squareError(sx) + squareError(sy) + squareError(sz);
+    missing -= Rounding.ofSquare(sx) + Rounding.ofSquare(sy) + Rounding.ofSquare(sz);
     sx += sx * missing / 2;
     sy += sy * missing / 2;
     sz += sz * missing / 2;
   }
-
-  /** Returns what {@code x * x} lacks of the square of a number of 0 to 1 (Dekker 1971). */
-  private static double squareError(double x) {
-    double high = x * SPLIT - (x * SPLIT - x);
-    double low = x - high;
-    return high * high - x * x + 2 * high * low + low * low;
-  }
-
-  /** Multiplied by this, a number parts into halves whose products are exact. */
-  private static final double SPLIT = 0x1p27 + 1;
 
   /**
    * Records the hit with a solid, which the ray enters at {@code near} and leaves at {@code far}.

@@ -119,7 +119,7 @@ final class CameraCases {
   }
 
   /** Through the middles of the edges at 90° pass forward ± right and forward ± up, over √2. */
-  private static void frame(View view, Tally tally) {
+  static void frame(View view, Tally tally) {
     Exact3 east = direction(view, 2, 1);
     Exact3 west = direction(view, 0, 1);
     Exact3 north = direction(view, 1, 0);

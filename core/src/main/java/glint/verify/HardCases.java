@@ -27,6 +27,8 @@ public final class HardCases {
     cases.addAll(ColorCases.all());
     cases.addAll(LeavingCases.all());
     cases.addAll(InstanceCases.all());
+    cases.addAll(QuaternionCases.all());
+    cases.addAll(TransformCases.all());
     cases.addAll(AdversarialCases.all());
     return List.copyOf(cases);
   }
