@@ -3,10 +3,13 @@ package glint.io;
 import glint.color.Transfer;
 import glint.io.YamlNode.Entry;
 import glint.light.Light;
+import glint.math.Vector3d;
 import glint.optics.Highlight;
 import glint.scene.Placement;
 import glint.scene.Scene;
+import glint.scene.Turntable;
 import java.util.Locale;
+import java.util.Optional;
 
 /** Reads one scene of a YAML file, with the file's defaults for what it does not set. */
 final class SceneReader {
@@ -58,7 +61,19 @@ final class SceneReader {
         expectations.read(item, scene);
       }
     }
+    if (f.has("turntable")) {
+      readTurntable(f.get("turntable"), scene);
+    }
     return f.build(scene::build);
+  }
+
+  private void readTurntable(YamlNode node, Scene.Builder scene) {
+    Fields f = new Fields(node, Section.TURNTABLE, values);
+    int frames = values.wholeNumber(f.need("frames"));
+    Vector3d axis = f.has("axis") ? f.vector("axis") : new Vector3d(0, 1, 0);
+    double degrees = f.number("degrees", 360);
+    Optional<Vector3d> about = f.has("about") ? Optional.of(f.vector("about")) : Optional.empty();
+    f.build(() -> scene.turntable(new Turntable(frames, axis, degrees, about)));
   }
 
   /** Reads what a scene may leave to the defaults. */

@@ -14,8 +14,10 @@ enum Section {
   DEFAULTS("defaults", "image camera background lights", ""),
   SCENE(
       "a scene",
-      "title image camera background lights surfaces materials highlights transfer expect",
-      "turntable"),
+      "title image camera background lights surfaces materials highlights transfer expect"
+          + " turntable",
+      ""),
+  TURNTABLE("a turntable", "frames axis degrees about", ""),
   EXPECTATION("an expectation", "pixel value mean tolerance relative samples depth", ""),
   IMAGE("an image", "width height", ""),
   CAMERA("a camera", "position look_at up fov orthographic near far", ""),
@@ -36,8 +38,8 @@ enum Section {
   CYLINDER("a cylinder", "base top radius top_radius capped" + Section.PLACED, ""),
   CONE("a cone", "base top radius top_radius capped" + Section.PLACED, ""),
   MESH("a mesh", "file smooth" + Section.PLACED, ""),
-  STEP("a transform", "scale rotate translate", ""),
-  ROTATION("a rotation", "axis degrees", ""),
+  STEP("a transform", "scale rotate translate matrix", ""),
+  ROTATION("a rotation", "axis degrees euler look up", ""),
   MATERIAL(
       "a material",
       "color ambient diffuse specular shininess reflection emission"

@@ -3,6 +3,7 @@ package glint.io;
 import glint.io.YamlNode.Entry;
 import glint.io.YamlNode.Mapping;
 import glint.io.YamlNode.Scalar;
+import glint.io.YamlNode.Sequence;
 import glint.math.Check;
 import glint.math.Quaternion;
 import glint.math.Transform;
@@ -51,7 +52,8 @@ final class TransformReader {
         switch (name) {
           case "scale" -> scale(node);
           case "rotate" -> rotate(node);
-          default -> translate(node);
+          case "translate" -> translate(node);
+          default -> matrix(node);
         };
     if (values.problems().reports() != before) {
       return product;
@@ -78,16 +80,42 @@ final class TransformReader {
   }
 
   private Supplier<Transform> rotate(YamlNode node) {
-    if (!(node instanceof Mapping)) {
-      List<Double> q = values.numbers(node, 4, "[w, x, y, z] or {axis, degrees}");
-      return () -> Transform.rotate(new Quaternion(q.get(0), q.get(1), q.get(2), q.get(3)));
-    }
+    Supplier<Quaternion> turn = node instanceof Mapping ? turn(node) : quaternion(node);
+    return () -> Transform.rotate(turn.get());
+  }
+
+  private Supplier<Quaternion> quaternion(YamlNode node) {
+    List<Double> q = values.numbers(node, 4, "[w, x, y, z] or {axis, degrees}");
+    return () -> new Quaternion(q.get(0), q.get(1), q.get(2), q.get(3));
+  }
+
+  private Supplier<Quaternion> turn(YamlNode node) {
     Fields f = new Fields(node, Section.ROTATION, values);
-    Vector3d axis = f.vector("axis");
+    boolean euler = f.means("euler");
+    boolean look = f.means("look") || f.has("up");
+    boolean axis = f.has("axis") || f.has("degrees");
+    if (euler && look || euler && axis || look && axis) {
+      values.report(
+          node, "a rotation has either 'axis' and 'degrees', or 'euler', or 'look' and 'up'");
+    }
+    if (euler) {
+      Vector3d degrees = f.vector("euler");
+      return () -> Quaternion.euler(degrees.x(), degrees.y(), degrees.z());
+    }
+    if (look) {
+      Vector3d forward = f.vector("look");
+      Vector3d up = f.has("up") ? f.vector("up") : new Vector3d(0, 1, 0);
+      return () -> {
+        Check.direction("look", forward);
+        Check.direction("up", up);
+        return Quaternion.looking(forward, up);
+      };
+    }
+    Vector3d about = f.vector("axis");
     double degrees = f.number("degrees");
     return () -> {
-      Check.direction("axis", axis);
-      return Transform.rotate(Quaternion.aboutAxis(axis, degrees));
+      Check.direction("axis", about);
+      return Quaternion.aboutAxis(about, degrees);
     };
   }
 
@@ -96,6 +124,23 @@ final class TransformReader {
     return () -> {
       Check.finite("translate", offset);
       return Transform.translate(offset);
+    };
+  }
+
+  private Supplier<Transform> matrix(YamlNode node) {
+    double[] rows = new double[12];
+    if (node instanceof Sequence list && list.items().size() == 3) {
+      for (int i = 0; i < 12; i++) {
+        rows[i] = values.numbers(list.items().get(i / 4), 4, "[x, y, z, offset]").get(i % 4);
+      }
+    } else {
+      values.wrong(node, "3 rows of 4 numbers [x, y, z, offset]");
+    }
+    return () -> {
+      for (int i = 0; i < 4; i++) {
+        Check.finite("matrix", new Vector3d(rows[i], rows[4 + i], rows[8 + i]));
+      }
+      return Transform.matrix(rows);
     };
   }
 

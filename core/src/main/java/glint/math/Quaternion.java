@@ -82,8 +82,13 @@ public record Quaternion(double w, double x, double y, double z) {
    */
   public static Quaternion looking(Vector3d forward, Vector3d up) {
     Vector3d z = forward.normalized();
+    Vector3d across = up.normalized().cross(z);
+    // Two parallel unit vectors, each rounded, have a cross product of a few roundings.
+    if (across.maxAbs() <= Rounding.gamma(8)) {
+      throw new ArithmeticException("look and up must not be parallel");
+    }
     // Next to parallel the cross product is not quite square to z: twice is enough.
-    Vector3d across = up.normalized().cross(z).normalized();
+    across = across.normalized();
     Vector3d x = across.minus(z.times(across.dot(z))).normalized();
     return ofAxes(x, z.cross(x), z);
   }

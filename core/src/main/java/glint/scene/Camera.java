@@ -2,7 +2,9 @@ package glint.scene;
 
 import glint.math.BadValueException;
 import glint.math.Check;
+import glint.math.Quaternion;
 import glint.math.Rounding;
+import glint.math.Transform;
 import glint.math.Vector3d;
 
 /**
@@ -45,5 +47,21 @@ public record Camera(
   /** Returns a camera without clipping. */
   public static Camera of(Vector3d position, Vector3d lookAt, Vector3d up, Projection projection) {
     return new Camera(position, lookAt, up, projection, 0, Double.POSITIVE_INFINITY);
+  }
+
+  /**
+   * Returns this camera, turned about a point.
+   *
+   * @throws BadValueException if it leaves the range of coordinates
+   */
+  Camera turned(Vector3d center, Quaternion by) {
+    Transform turn = Transform.rotate(by);
+    return new Camera(
+        turn.direction(position.minus(center)).plus(center),
+        turn.direction(lookAt.minus(center)).plus(center),
+        turn.direction(up),
+        projection,
+        near,
+        far);
   }
 }

@@ -7,6 +7,7 @@ import glint.optics.Highlight;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
+import java.util.Optional;
 import java.util.OptionalInt;
 
 /**
@@ -18,6 +19,7 @@ import java.util.OptionalInt;
  * @param height rows of the image
  * @param maxDepth the most successive bounces, if the scene's format states it
  * @param expectations what the picture must show, for those who verify it
+ * @param turntable the camera's way, if there is more than one picture
  */
 public record Scene(
     String name,
@@ -31,12 +33,16 @@ public record Scene(
     Highlight highlight,
     Transfer transfer,
     OptionalInt maxDepth,
-    List<Expectation> expectations) {
+    List<Expectation> expectations,
+    Optional<Turntable> turntable) {
 
   /** The most pixels of an image: their linear values fill one Java array. */
   public static final int MAX_PIXELS = (Integer.MAX_VALUE - 8) / 3;
 
-  /** Checks name, image size and the pixels that are expected, and copies the lists. */
+  /**
+   * Checks name, image size, the pixels that are expected and the turntable's frames, and copies
+   * the lists.
+   */
   public Scene {
     checkName(name);
     checkSize(width, height);
@@ -46,6 +52,40 @@ public record Scene(
     for (Expectation each : expectations) {
       each.pixel().ifPresent(pixel -> checkPixel(pixel, width, height));
     }
+    int frames = turntable.map(Turntable::frames).orElse(0);
+    for (int frame = 1; frame <= frames; frame++) {
+      checkName(name + Turntable.suffix(frame));
+      turntable.get().camera(camera, frame);
+    }
+  }
+
+  /** Returns the pictures of a turntable, each a scene of its own, or only this scene. */
+  public List<Scene> frames() {
+    List<Scene> frames = new ArrayList<>();
+    turntable.ifPresent(
+        table -> {
+          for (int frame = 1; frame <= table.frames(); frame++) {
+            frames.add(frame(table, frame));
+          }
+        });
+    return frames.isEmpty() ? List.of(this) : frames;
+  }
+
+  private Scene frame(Turntable table, int frame) {
+    return new Scene(
+        name + Turntable.suffix(frame),
+        title,
+        width,
+        height,
+        table.camera(camera, frame),
+        background,
+        lights,
+        placements,
+        highlight,
+        transfer,
+        maxDepth,
+        List.of(),
+        Optional.empty());
   }
 
   /**
@@ -124,6 +164,7 @@ public record Scene(
     private Highlight highlight = Highlight.BLINN;
     private Transfer transfer = Transfer.SRGB;
     private OptionalInt maxDepth = OptionalInt.empty();
+    private Optional<Turntable> turntable = Optional.empty();
 
     /** Begins a scene of 640×480 pixels on black, with Blinn highlights and sRGB output. */
     public Builder(String name) {
@@ -196,6 +237,12 @@ public record Scene(
       return this;
     }
 
+    /** Sets the camera's way. */
+    public Builder turntable(Turntable value) {
+      turntable = Optional.of(value);
+      return this;
+    }
+
     /**
      * Returns the scene.
      *
@@ -217,7 +264,8 @@ public record Scene(
           highlight,
           transfer,
           maxDepth,
-          expectations);
+          expectations,
+          turntable);
     }
   }
 }

@@ -44,7 +44,8 @@ record FuzzScene(long seed, Scene scene, List<MeshNumbers> meshes, List<Segment>
             scene.highlight(),
             scene.transfer(),
             scene.maxDepth(),
-            scene.expectations());
+            scene.expectations(),
+            scene.turntable());
     return new FuzzScene(seed, less, meshes, rays);
   }
 

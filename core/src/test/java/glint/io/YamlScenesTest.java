@@ -31,6 +31,7 @@ import glint.scene.Perspective;
 import glint.scene.Placement;
 import glint.scene.Projection;
 import glint.scene.Scene;
+import glint.scene.Turntable;
 import java.util.List;
 import java.util.Optional;
 import java.util.OptionalInt;
@@ -135,6 +136,19 @@ class YamlScenesTest {
   void aCameraMayBeOrthographic() {
     assertEquals(
         new Camera(v(0, 0, 9), O, Y, new Orthographic(12.5), 0, 20), scenes.get(3).camera());
+  }
+
+  @Test
+  void aTurntable() {
+    assertEquals(
+        Optional.of(new Turntable(8, v(0, 2, 0), -180, Optional.of(v(0, 0, 3)))),
+        scenes.get(3).turntable());
+    String text =
+        "scenes: {a: {camera: {position: [0, 0, 5], look_at: [0, 0, 0], fov: 40}, turntable:"
+            + " {frames: 2}}}";
+    assertEquals(
+        Optional.of(new Turntable(2, Y, 360, Optional.empty())),
+        Resources.read(text, "f.yaml").scenes().get(0).turntable());
   }
 
   @Test
@@ -280,6 +294,11 @@ class YamlScenesTest {
     assertNear(v(8, 2, 3), place(4).point(p));
     // In the order of the list: (1,2,3) (11,2,3) (-2,11,3).
     assertNear(v(-4, 11, 3), place(5).point(p));
+    // About x: (1,-3,2), then about y.
+    assertNear(v(2, -3, -1), place(6).point(p));
+    // z to x, y to -z, so x to -y.
+    assertNear(v(3, -1, -2), place(7).point(p));
+    assertNear(v(18, 19, 23), place(8).point(p));
   }
 
   private Transform place(int i) {

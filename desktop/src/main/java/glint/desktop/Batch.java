@@ -34,7 +34,8 @@ final class Batch {
     Inputs inputs = Inputs.read(paths, reporter.err());
     inputs.notes().forEach(reporter::note);
     inputs.problems().forEach(this::fail);
-    List<Job> jobs = filter.select(inputs, this::fail);
+    List<Job> jobs =
+        filter.select(inputs, this::fail).stream().flatMap(job -> job.pictures().stream()).toList();
     UniqueNames.check(jobs, job -> OutputFiles.names(job.scene().name(), options));
     if (options.stats != null) {
       StatsFile.check(options.stats);

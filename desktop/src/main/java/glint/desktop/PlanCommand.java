@@ -49,7 +49,10 @@ final class PlanCommand implements Callable<Integer> {
       table.row(decision.feature(), decision.used() ? "yes" : "no", decision.reason());
     }
     String primitives = Figures.count(prepared.primitiveCount(), "primitive");
-    out.println(scene.name() + ": " + scene.width() + "x" + scene.height() + ", " + primitives);
+    String size = scene.width() + "x" + scene.height();
+    String frames =
+        scene.turntable().map(t -> Figures.count(t.frames(), "frame") + ", ").orElse("");
+    out.println(scene.name() + ": " + size + ", " + frames + primitives);
     table.print(out);
     out.println();
   }

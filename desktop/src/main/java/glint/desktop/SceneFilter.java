@@ -5,6 +5,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.TreeSet;
 import java.util.function.Consumer;
+import java.util.stream.Stream;
 import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.Spec;
@@ -22,7 +23,8 @@ final class SceneFilter {
   private List<String> names = new ArrayList<>();
 
   /**
-   * Returns the scenes that are asked for, in the order of their files.
+   * Returns the scenes that are asked for, and the frames of turntables, in the order of their
+   * files.
    *
    * <p>A name that no scene has is wrong usage; but where a file has problems, it may be the name
    * of the scene that could not be read, and is only one more failure.
@@ -39,8 +41,9 @@ final class SceneFilter {
     }
     TreeSet<String> known = new TreeSet<>();
     inputs.jobs().forEach(job -> known.add(job.scene().name()));
+    List<Job> chosen = inputs.jobs().stream().flatMap(job -> choose(job, names)).toList();
     for (String name : names) {
-      if (!known.contains(name)) {
+      if (chosen.stream().noneMatch(job -> job.scene().name().equals(name))) {
         String line = "no scene is called '" + name + "'" + Suggestion.hint(name, known);
         if (inputs.problems().isEmpty()) {
           throw Words.wrong(command, line + "\nThe scenes are: " + String.join(", ", known));
@@ -48,6 +51,13 @@ final class SceneFilter {
         failures.accept(new Failed(name, line));
       }
     }
-    return inputs.jobs().stream().filter(job -> names.contains(job.scene().name())).toList();
+    return chosen;
+  }
+
+  /** Returns a scene that is named, or else those of its frames that are. */
+  private static Stream<Job> choose(Job job, List<String> names) {
+    return names.contains(job.scene().name())
+        ? Stream.of(job)
+        : job.pictures().stream().filter(picture -> names.contains(picture.scene().name()));
   }
 }
