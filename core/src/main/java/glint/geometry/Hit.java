@@ -83,6 +83,11 @@ public final class Hit {
   /** How far along the normal a point is certain to lie off the surface, in scene units. */
   double offset;
 
+  /** Where on an image the point lies, once {@link Mesh#findTexture} was called. */
+  public double textureU;
+
+  public double textureV;
+
   /** Scratch: the numbers of a transform. */
   final double[] numbers = new double[Transform.NUMBERS];
 
@@ -210,6 +215,17 @@ public final class Hit {
     surface = other.surface;
     offset = other.offset;
     curved = other.curved;
+  }
+
+  /** Takes over which part of which surface was hit, but neither point nor normal. */
+  public void copyPart(Hit other) {
+    primitive = other.primitive;
+    slot = other.slot;
+    part = other.part;
+    partSlot = other.partSlot;
+    u = other.u;
+    v = other.v;
+    surface = other.surface;
   }
 
   /** Turns the inside out. */

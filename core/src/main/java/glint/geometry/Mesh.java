@@ -154,6 +154,25 @@ public final class Mesh implements Surface {
     }
   }
 
+  /** Returns whether any corner has a pair (u, v). */
+  public boolean hasTexturePoints() {
+    return !texture.isEmpty();
+  }
+
+  /** Sets the pair (u, v) of a hit on a triangle; corners without one have (0, 0). */
+  public void findTexture(int triangle, Hit hit) {
+    double w = 1 - hit.u - hit.v;
+    hit.textureU =
+        hit.u * pair(triangle, 0, 0) + hit.v * pair(triangle, 1, 0) + w * pair(triangle, 2, 0);
+    hit.textureV =
+        hit.u * pair(triangle, 0, 1) + hit.v * pair(triangle, 1, 1) + w * pair(triangle, 2, 1);
+  }
+
+  private double pair(int triangle, int corner, int i) {
+    int at = 3 * triangle + corner;
+    return texture.has(at) ? texture.of(at, i) : 0;
+  }
+
   /** Returns the number of triangles. */
   public int triangles() {
     return corners.length / 3;

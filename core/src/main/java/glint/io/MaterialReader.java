@@ -22,6 +22,7 @@ final class MaterialReader {
   private static final int MOST_NAMES = 1000;
 
   private final Values values;
+  private final Images images;
   private final MaterialReader outer;
 
   /** By name; null where the definition has a problem. */
@@ -33,8 +34,9 @@ final class MaterialReader {
    * @param outer the materials of the file, for those of a scene; else null
    * @param definitions the map of them, or null if there is none
    */
-  MaterialReader(YamlNode definitions, MaterialReader outer, Values values) {
+  MaterialReader(YamlNode definitions, MaterialReader outer, Images images, Values values) {
     this.values = values;
+    this.images = images;
     this.outer = outer;
     if (definitions == null) {
       return;
@@ -122,7 +124,8 @@ final class MaterialReader {
     if (diffuse.isBlack() && ambient.isBlack()) {
       f.noteIdle("has no effect where 'diffuse' and 'ambient' are 0", "texture");
     }
-    Texture texture = f.has("texture") ? new TextureReader(values).read(f.get("texture")) : null;
+    Texture texture =
+        f.has("texture") ? new TextureReader(values, images).read(f.get("texture")) : null;
     Supplier<Medium> interior = interior(f);
     return f.build(
         () ->

@@ -1,5 +1,6 @@
 package glint.io;
 
+import glint.optics.Material;
 import java.io.IOException;
 import java.io.InputStream;
 import java.util.ArrayList;
@@ -20,28 +21,40 @@ final class ModelMaterials {
   private static final int MOST_NOTES = 10;
 
   private final SceneFolder folder;
+  private final Beside beside;
+  private final Images images;
   private final Problems remarks;
-  private final Map<String, MtlMaterial> known = new HashMap<>();
+  private final Map<String, Known> known = new HashMap<>();
+
+  /** Those that parts are made of, with their images. */
+  private final Map<String, Material> finished = new HashMap<>();
+
   private final Set<String> read = new HashSet<>();
+  private final List<ModelLibrary> libraries = new ArrayList<>();
   private final List<ModelPart> parts = new ArrayList<>();
   private final List<Problem> problems = new ArrayList<>();
   private final List<Problem> notes = new ArrayList<>();
   private boolean complete = true;
 
+  /** A material and the library that it comes from. */
+  private record Known(MtlMaterial material, ModelLibrary library) {}
+
   /**
-   * Reads the libraries that the parts of a model need.
+   * Reads the libraries that the parts of a model need, and their images.
    *
-   * @param modelName begins the messages about the model
-   * @param folder opens files by names that are relative to the model
+   * @param path the model's, from the folder
    */
-  ModelMaterials(ObjModel model, String modelName, SceneFolder folder) {
+  ModelMaterials(ObjModel model, String path, SceneFolder folder, Images images) {
     this.folder = folder;
-    remarks = new Problems(modelName, MOST_NOTES);
+    this.images = images;
+    beside = new Beside(folder, path);
+    remarks = new Problems(folder.name(path), MOST_NOTES);
     if (model.materials().stream().anyMatch(name -> name.line() > 0)) {
       model.libraries().stream().limit(MOST_LIBRARIES).forEach(this::open);
     }
     findParts(model.materials());
     notes.addAll(0, remarks.inFileOrder());
+    libraries.forEach(library -> notes.addAll(library.notes()));
   }
 
   /** Returns what the parts are made of. */
@@ -97,10 +110,12 @@ final class ModelMaterials {
     if (read.contains(name)) {
       return null;
     }
-    try (InputStream in = folder.open(name)) {
-      MtlLibrary library = MtlReader.read(in, folder.name(name));
+    try (InputStream in = beside.open(name)) {
+      MtlLibrary library = MtlReader.read(in, beside.name(name));
       read.add(name);
-      library.materials().forEach(known::putIfAbsent);
+      ModelLibrary from = new ModelLibrary(folder, beside.path(name), images, MOST_NOTES);
+      libraries.add(from);
+      library.materials().forEach((each, m) -> known.putIfAbsent(each, new Known(m, from)));
       problems.addAll(library.problems());
       complete &= library.problems().isEmpty();
       notes.addAll(library.notes());
@@ -126,7 +141,7 @@ final class ModelMaterials {
     ObjName lost = null;
     int count = 0;
     for (ObjName name : names) {
-      MtlMaterial material = find(name.text());
+      Material material = find(name.text());
       parts.add(new ModelPart(name.text(), Optional.ofNullable(material)));
       if (material == null && name.line() > 0) {
         lost = lost == null ? name : lost;
@@ -146,13 +161,20 @@ final class ModelMaterials {
   }
 
   /** Returns the material of a name, which a comment may follow: it may hold a # of its own. */
-  private MtlMaterial find(String name) {
-    MtlMaterial material = known.get(name);
+  private Material find(String name) {
+    Material material = finished(name);
     for (int end = comment(name, name.length()); end >= 0 && material == null; ) {
-      material = known.get(name.substring(0, end).trim());
+      material = finished(name.substring(0, end).trim());
       end = comment(name, end - 1);
     }
     return material;
+  }
+
+  private Material finished(String name) {
+    Known found = known.get(name);
+    return found == null
+        ? null
+        : finished.computeIfAbsent(name, any -> found.library().finished(found.material()));
   }
 
   private static int comment(String name, int before) {

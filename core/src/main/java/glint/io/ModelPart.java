@@ -1,5 +1,6 @@
 package glint.io;
 
+import glint.optics.Material;
 import java.util.Optional;
 
 /**
@@ -8,4 +9,4 @@ import java.util.Optional;
  * @param name what the model calls it, or ""
  * @param material absent if no library has it
  */
-record ModelPart(String name, Optional<MtlMaterial> material) {}
+record ModelPart(String name, Optional<Material> material) {}

@@ -16,6 +16,7 @@ import java.util.Map;
 final class Models {
 
   private final SceneFolder folder;
+  private final Images images;
   private final Values values;
 
   /** By path; null where there is none or it has problems. */
@@ -32,8 +33,9 @@ final class Models {
 
   private record Smoothed(String path, double degrees) {}
 
-  Models(SceneFolder folder, Values values) {
+  Models(SceneFolder folder, Images images, Values values) {
     this.folder = folder;
+    this.images = images;
     this.values = values;
   }
 
@@ -93,7 +95,7 @@ final class Models {
     }
     List<NamedMaterial> materials = new ArrayList<>();
     for (ModelPart part : parts.get(path)) {
-      Material own = part.material().map(MtlMaterial::material).orElse(standard);
+      Material own = part.material().orElse(standard);
       materials.add(new NamedMaterial(part.name(), own));
     }
     return materials;
@@ -116,8 +118,7 @@ final class Models {
   }
 
   private List<ModelPart> readParts(String path) {
-    ModelMaterials materials =
-        new ModelMaterials(read.get(path), folder.name(path), new Beside(folder, path));
+    ModelMaterials materials = new ModelMaterials(read.get(path), path, folder, images);
     problems.addAll(materials.problems());
     notes.addAll(materials.notes());
     return materials.problems().isEmpty() ? materials.parts() : null;
@@ -131,25 +132,5 @@ final class Models {
   /** Returns what was left out of the models, in the order of their first use. */
   List<Problem> notes() {
     return notes;
-  }
-
-  /** The files beside a model. */
-  private record Beside(SceneFolder folder, String model) implements SceneFolder {
-
-    @Override
-    public InputStream open(String name) throws IOException {
-      return folder.open(path(name));
-    }
-
-    @Override
-    public String name(String name) {
-      return folder.name(path(name));
-    }
-
-    private String path(String name) {
-      boolean isWhole = name.startsWith("/") || name.matches("[A-Za-z]:.*");
-      int end = Math.max(model.lastIndexOf('/'), model.lastIndexOf('\\')) + 1;
-      return isWhole ? name : model.substring(0, end) + name;
-    }
   }
 }

@@ -36,13 +36,19 @@ final class MtlDraft {
 
   /** Returns the material that this describes. */
   MtlMaterial finish() {
-    return new MtlMaterial(material(), Optional.ofNullable(map));
+    return new MtlMaterial(
+        material(), leavesOutMap() ? Optional.empty() : Optional.ofNullable(map));
   }
 
   /** Returns whether what is written as d and Tr cannot both be meant. */
   boolean contradictsItself() {
     boolean both = dissolve != null && transparency != null;
     return both && Math.abs(dissolve + transparency - 1) > 1e-3; // both are written with few digits
+  }
+
+  /** Returns whether there is an image, but nothing that it could multiply. */
+  boolean leavesOutMap() {
+    return model == 0 && map != null;
   }
 
   private Material material() {

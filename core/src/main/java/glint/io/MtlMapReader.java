@@ -1,8 +1,12 @@
 package glint.io;
 
+import glint.math.BadValueException;
+import glint.optics.Layout;
+import glint.optics.Wrap;
 import java.nio.charset.StandardCharsets;
 import java.util.Map;
 import java.util.Set;
+import java.util.function.Consumer;
 
 /**
  * Reads what follows the word {@code map_Kd}: a file's name, which may hold blanks, with options
@@ -20,6 +24,7 @@ final class MtlMapReader {
 
   private final String text;
   private final Place place;
+  private final Consumer<String> idle;
   private final Decimal decimal = new Decimal();
   private int at;
 
@@ -28,7 +33,8 @@ final class MtlMapReader {
   private final double[] range = {0, 1};
   private boolean clamp;
 
-  private MtlMapReader(String text, Place place) {
+  private MtlMapReader(String text, Place place, Consumer<String> idle) {
+    this.idle = idle;
     this.text = text;
     this.place = place;
   }
@@ -36,10 +42,11 @@ final class MtlMapReader {
   /**
    * Reads the rest of a statement.
    *
-   * @throws BadObj if an option lacks its value, or the file's name is missing
+   * @param idle is told of options without effect
+   * @throws BadObj if an option lacks its value, or has a bad one, or the file's name is missing
    */
-  static MtlMap read(String text, Place place) {
-    return new MtlMapReader(text, place).map();
+  static MtlMap read(String text, Place place, Consumer<String> idle) {
+    return new MtlMapReader(text, place, idle).map();
   }
 
   private MtlMap map() {
@@ -61,17 +68,13 @@ final class MtlMapReader {
       throw new BadObj(
           place, "map_Kd has " + SourceText.quote(peek()) + " behind its options, which is none");
     }
-    return new MtlMap(
-        file,
-        place.line(),
-        place.column(),
-        offset[0],
-        offset[1],
-        scale[0],
-        scale[1],
-        clamp,
-        range[0],
-        range[1]);
+    try {
+      Wrap wrap = clamp ? Wrap.CLAMP : Wrap.REPEAT;
+      Layout layout = new Layout(scale[0], scale[1], offset[0], offset[1], wrap);
+      return new MtlMap(file, place.line(), place.column(), layout, range[0], range[1]);
+    } catch (BadValueException e) {
+      throw new BadObj(place, "map_Kd: " + e.getMessage());
+    }
   }
 
   private static boolean isOption(String word) {
@@ -83,7 +86,11 @@ final class MtlMapReader {
       String option = next();
       if (WORDS.contains(option)) {
         String value = need(option);
-        clamp = option.equals("-clamp") ? value.equals("on") : clamp;
+        if (option.equals("-clamp")) {
+          clamp = value.equals("on");
+        } else {
+          idle.accept(option);
+        }
       } else {
         readNumbers(option);
       }
@@ -96,7 +103,10 @@ final class MtlMapReader {
           case "-o" -> offset;
           case "-s" -> scale;
           case "-mm" -> range;
-          default -> new double[3];
+          default -> {
+            idle.accept(option);
+            yield new double[3];
+          }
         };
     int count = 0;
     while (count < NUMBERS.get(option) && at < text.length() && isNumber(peek())) {

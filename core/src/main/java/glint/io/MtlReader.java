@@ -72,6 +72,8 @@ public final class MtlReader {
       new ObjNote("a material of this name stands before: this one is left out");
   private final ObjNote contradictory =
       new ObjNote("d and Tr contradict each other: d is taken, for Tr should be 1 - d");
+  private final ObjNote unlit =
+      new ObjNote("illum 0 shows Kd alone: the image of map_Kd is left out");
   private ObjNote unknown;
   private ObjNote ineffective;
 
@@ -107,7 +109,8 @@ public final class MtlReader {
       // They have been told
     }
     finishMaterial();
-    for (ObjNote note : new ObjNote[] {homeless, repeated, contradictory, unknown, ineffective}) {
+    for (ObjNote note :
+        new ObjNote[] {homeless, repeated, contradictory, unlit, unknown, ineffective}) {
       if (note != null) {
         note.report(notes);
       }
@@ -168,10 +171,12 @@ public final class MtlReader {
       case "d" -> draft.dissolve = dissolve(written);
       case "tr" -> draft.transparency = number(written, 0, 1);
       case "illum" -> draft.model = model(written);
-      default -> {
-        ineffective = noted(ineffective, written, WITHOUT, place);
-        draft.map = MtlMapReader.read(source.rest(), place);
-      }
+      default ->
+          draft.map =
+              MtlMapReader.read(
+                  source.rest(),
+                  place,
+                  option -> ineffective = noted(ineffective, option, WITHOUT, place));
     }
     while (source.hasToken()) { // more than is needed must be numbers
       source.number();
@@ -191,6 +196,9 @@ public final class MtlReader {
     }
     if (draft.contradictsItself()) {
       contradictory.at(begun);
+    }
+    if (draft.leavesOutMap()) {
+      unlit.at(begun);
     }
     try {
       if (materials.putIfAbsent(name, draft.finish()) != null) {

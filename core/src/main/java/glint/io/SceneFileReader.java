@@ -14,6 +14,7 @@ final class SceneFileReader {
   private final Problems problems;
   private final Problems notes;
   private final Values values;
+  private final Images images;
   private final Models models;
   private final List<Scene> scenes = new ArrayList<>();
   private final List<String> broken = new ArrayList<>();
@@ -22,7 +23,8 @@ final class SceneFileReader {
     this.problems = problems;
     notes = new Problems(fileName);
     values = new Values(problems, notes);
-    models = new Models(folder, values);
+    images = new Images(folder);
+    models = new Models(folder, images, values);
   }
 
   SceneFile read(String text) {
@@ -39,10 +41,10 @@ final class SceneFileReader {
 
   private void readFile(YamlNode root) {
     Fields file = new Fields(root, Section.FILE, values);
-    MaterialReader materials = new MaterialReader(file.get("materials"), null, values);
+    MaterialReader materials = new MaterialReader(file.get("materials"), null, images, values);
     Fields defaults =
         file.has("defaults") ? new Fields(file.get("defaults"), Section.DEFAULTS, values) : null;
-    SceneReader reader = new SceneReader(defaults, materials, models, values);
+    SceneReader reader = new SceneReader(defaults, materials, models, images, values);
     if (defaults != null) {
       reader.checkDefaults();
     }

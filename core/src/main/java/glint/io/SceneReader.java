@@ -18,12 +18,15 @@ final class SceneReader {
   private final Fields defaults;
   private final MaterialReader materials;
   private final Models models;
+  private final Images images;
 
-  SceneReader(Fields defaults, MaterialReader materials, Models models, Values values) {
+  SceneReader(
+      Fields defaults, MaterialReader materials, Models models, Images images, Values values) {
     this.values = values;
     this.defaults = defaults;
     this.materials = materials;
     this.models = models;
+    this.images = images;
   }
 
   /** Returns the scene, or null with its problems reported. */
@@ -45,7 +48,7 @@ final class SceneReader {
     }
     scene.highlight(Highlight.valueOf(upper(f.word("highlights", "blinn", "phong"))));
     scene.transfer(Transfer.valueOf(upper(f.word("transfer", "srgb", "linear"))));
-    MaterialReader own = new MaterialReader(f.get("materials"), materials, values);
+    MaterialReader own = new MaterialReader(f.get("materials"), materials, images, values);
     SurfaceReader surfaces = new SurfaceReader(own, models, values);
     if (f.has("surfaces")) {
       for (YamlNode item : values.list(f.get("surfaces"), "surfaces")) {

@@ -45,7 +45,10 @@ enum Section {
       "color ambient diffuse specular shininess reflection emission"
           + " transparency ior absorption priority texture",
       ""),
-  TEXTURE("a texture", "checker stripes", "image wood"),
+  TEXTURE("a texture", "checker stripes image mapping scale offset wrap", "wood"),
+  MAPPING("a mapping", "planar spherical", ""),
+  PLANAR("a planar mapping", "corner edge1 edge2", ""),
+  SPHERICAL("a spherical mapping", "center up front", ""),
   CHECKER("a checker", "size colors", ""),
   STRIPES("a pattern of stripes", "size colors", "");
 

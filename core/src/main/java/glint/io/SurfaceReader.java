@@ -15,7 +15,9 @@ import glint.io.YamlNode.Sequence;
 import glint.math.Check;
 import glint.math.Transform;
 import glint.math.Vector3d;
+import glint.optics.ImageTexture;
 import glint.optics.Material;
+import glint.optics.Texture;
 import glint.scene.NamedMaterial;
 import glint.scene.Placement;
 import java.util.ArrayList;
@@ -61,11 +63,29 @@ final class SurfaceReader {
 
   /** A material that is written is for all of a surface; without one a model keeps its own. */
   private List<NamedMaterial> madeOf(Fields f, Surface surface, Material material) {
-    if (surface instanceof Mesh && !f.has("material")) {
-      return models.materials(f.get("file"), material);
-    }
     String name = f.get("material") instanceof Scalar named ? named.text() : "";
-    return List.of(new NamedMaterial(name, material));
+    List<NamedMaterial> made = List.of(new NamedMaterial(name, material));
+    if (surface instanceof Mesh mesh) {
+      made = f.has("material") ? made : models.materials(f.get("file"), material);
+      if (made != null && !mesh.hasTexturePoints()) {
+        noteImages(f, made);
+      }
+    }
+    return made;
+  }
+
+  /** Tells that images lie on a model without texture points, which then show one colour. */
+  private void noteImages(Fields f, List<NamedMaterial> made) {
+    for (NamedMaterial each : made) {
+      Texture texture = each.material().texture().orElse(null);
+      if (texture instanceof ImageTexture image && image.mapping().isEmpty()) {
+        values.note(
+            f.get("file"),
+            "the model has no texture points, so that its image shows one colour;"
+                + " a texture may have a 'mapping'");
+        return;
+      }
+    }
   }
 
   /** Returns the one list for all surfaces that are made of the same, or null for null. */

@@ -10,7 +10,7 @@ import glint.math.Check;
  * @param a the colour of the cell at the origin, where all coordinates are positive
  * @param b the colour of its neighbours
  */
-public record Checker(double size, Rgb a, Rgb b) implements Texture {
+public record Checker(double size, Rgb a, Rgb b) implements Pattern {
 
   /** Checks size and colours. */
   public Checker {
@@ -21,14 +21,14 @@ public record Checker(double size, Rgb a, Rgb b) implements Texture {
 
   @Override
   public Rgb at(double x, double y, double z, int flat) {
-    boolean odd = flat != 0 && Texture.isOdd(x, size);
-    odd ^= flat != 1 && Texture.isOdd(y, size);
-    odd ^= flat != 2 && Texture.isOdd(z, size);
+    boolean odd = flat != 0 && Pattern.isOdd(x, size);
+    odd ^= flat != 1 && Pattern.isOdd(y, size);
+    odd ^= flat != 2 && Pattern.isOdd(z, size);
     return odd ? b : a;
   }
 
   @Override
   public Rgb most() {
-    return Texture.most(a, b);
+    return Pattern.most(a, b);
   }
 }

@@ -10,7 +10,7 @@ import glint.math.Check;
  * @param a the colour of the stripe that begins there
  * @param b the colour of its neighbours
  */
-public record Stripes(double size, Rgb a, Rgb b) implements Texture {
+public record Stripes(double size, Rgb a, Rgb b) implements Pattern {
 
   /** Checks size and colours. */
   public Stripes {
@@ -21,11 +21,11 @@ public record Stripes(double size, Rgb a, Rgb b) implements Texture {
 
   @Override
   public Rgb at(double x, double y, double z, int flat) {
-    return Texture.isOdd(flat == 2 ? y : z, size) ? b : a;
+    return Pattern.isOdd(flat == 2 ? y : z, size) ? b : a;
   }
 
   @Override
   public Rgb most() {
-    return Texture.most(a, b);
+    return Pattern.most(a, b);
   }
 }

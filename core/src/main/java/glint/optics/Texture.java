@@ -2,36 +2,9 @@ package glint.optics;
 
 import glint.color.Rgb;
 
-/**
- * A pattern that multiplies what a material is coloured by; immutable.
- *
- * <p>It lives in the space of the surface that wears it. On curved surfaces it is solid: cut out of
- * a patterned block. On flat parts the axis nearest to their normal is left out, or rounding would
- * decide what a face shows that lies between two cells.
- */
-public sealed interface Texture permits Checker, Stripes {
-
-  /** In place of an axis: none is left out. */
-  int SOLID = -1;
-
-  /**
-   * Returns the colour at a point of the surface's own space.
-   *
-   * @param flat the axis to leave out, 0 to 2, or {@link #SOLID}
-   */
-  Rgb at(double x, double y, double z, int flat);
+/** What multiplies the colour of a material, from place to place; immutable. */
+public sealed interface Texture permits Pattern, ImageTexture {
 
   /** Returns the most that any point has, channel by channel. */
   Rgb most();
-
-  /** Returns whether a coordinate lies in a cell of an odd number. */
-  static boolean isOdd(double coordinate, double size) {
-    double half = 0.5 * Math.floor(coordinate / size);
-    return half != Math.floor(half);
-  }
-
-  /** Returns the larger of two colours, channel by channel. */
-  static Rgb most(Rgb a, Rgb b) {
-    return new Rgb(Math.max(a.r(), b.r()), Math.max(a.g(), b.g()), Math.max(a.b(), b.b()));
-  }
 }

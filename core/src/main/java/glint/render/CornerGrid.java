@@ -19,16 +19,24 @@ final class CornerGrid {
   /** Linear radiance, three numbers a corner. */
   final double[] rgb;
 
+  /** Where in its images each corner's ray looked, in their pixels; empty if there are none. */
+  private final float[] image;
+
   /** A bound on the radiance left out. */
   final float[] cut;
 
-  /** Makes a grid for an image. */
-  CornerGrid(int width, int height) {
+  /**
+   * Makes a grid for a picture.
+   *
+   * @param images whether there are images to be looked at
+   */
+  CornerGrid(int width, int height, boolean images) {
     stride = width + 1;
     rows = height + 1;
     signature = new long[stride * rows];
     rgb = new double[3 * stride * rows];
     cut = new float[stride * rows];
+    image = new float[images ? 2 * stride * rows : 0];
   }
 
   /** Traces a corner; one that is not finite is black and unlike any other. */
@@ -40,6 +48,27 @@ final class CornerGrid {
     rgb[3 * at + 1] = finite ? probe.g() : 0;
     rgb[3 * at + 2] = finite ? probe.b() : 0;
     cut[at] = finite ? (float) probe.cut() : 0;
+    if (image.length > 0) {
+      image[2 * at] = (float) probe.imageX();
+      image[2 * at + 1] = (float) probe.imageY();
+    }
+  }
+
+  /**
+   * Returns whether a pixel has sides whose ends meet the same, but in an image with more than a
+   * pixel of that between them, so that they tell nothing of what lies there.
+   */
+  boolean leapsOverDetail(int x, int y) {
+    int a = y * stride + x;
+    int c = a + stride;
+    return image.length > 0
+        && (leaps(a, a + 1) || leaps(c, c + 1) || leaps(a, c) || leaps(a + 1, c + 1));
+  }
+
+  private boolean leaps(int a, int b) {
+    return signature[a] == signature[b]
+        && !(Math.abs(image[2 * a] - image[2 * b]) <= 1
+            && Math.abs(image[2 * a + 1] - image[2 * b + 1]) <= 1);
   }
 
   /**

@@ -4,6 +4,7 @@ import glint.color.Rgb;
 import glint.geometry.Hit;
 import glint.geometry.Ray;
 import glint.image.Image;
+import glint.optics.Texel;
 import glint.scene.Prepared;
 import java.util.Map;
 
@@ -13,6 +14,7 @@ final class Looker {
   private final Prepared scene;
   private final Map<Aov, Image> aovs;
   private final Ray ray = new Ray();
+  private final Texel pattern = new Texel();
 
   Looker(Prepared scene, Map<Aov, Image> aovs) {
     this.scene = scene;
@@ -42,13 +44,9 @@ final class Looker {
         case ALBEDO -> {
           if (hit.found()) {
             Rgb diffuse = scene.material(hit.surface).diffuse();
-            Rgb pattern = scene.texture(hit.surface, hit);
+            scene.texture(hit.surface, hit, pattern);
             target.set(
-                x,
-                y,
-                diffuse.r() * pattern.r(),
-                diffuse.g() * pattern.g(),
-                diffuse.b() * pattern.b());
+                x, y, diffuse.r() * pattern.r, diffuse.g() * pattern.g, diffuse.b() * pattern.b);
           }
         }
         default -> {} // pictures of the render, not of the scene

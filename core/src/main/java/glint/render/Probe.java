@@ -74,6 +74,15 @@ final class Probe {
     return tracer.signature();
   }
 
+  /** Returns where in the images that it met the last ray looked, in their pixels. */
+  double imageX() {
+    return tracer.imageX();
+  }
+
+  double imageY() {
+    return tracer.imageY();
+  }
+
   /** Sets a ray through a place; returns what it sees first. */
   Hit look(double x, double y, Ray out) {
     double end = view.ray(x, y, out);

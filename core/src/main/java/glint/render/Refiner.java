@@ -50,6 +50,9 @@ final class Refiner {
     crossings += met[a + 1] != met[c + 1] ? 1 : 0;
     int pixel = y * film.width + x;
     film.kind[pixel] = crossings == 0 ? Film.SMOOTH : crossings == 2 ? Film.SPLIT : Film.BUSY;
+    if (corners.leapsOverDetail(x, y)) {
+      film.kind[pixel] = Film.BUSY;
+    }
     film.contrast[pixel] = (float) corners.contrast(x, y, scale);
   }
 

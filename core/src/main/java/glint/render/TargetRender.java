@@ -26,7 +26,7 @@ final class TargetRender implements Method {
     this.goal = goal;
     this.aovs = aovs;
     film = new Film(image);
-    corners = new CornerGrid(image.width(), image.height());
+    corners = new CornerGrid(image.width(), image.height(), scene.plan().images().used());
     sides = new Sides(corners, settings.seed());
   }
 

@@ -15,6 +15,7 @@ import glint.light.Illumination;
 import glint.math.Vector3d;
 import glint.optics.Material;
 import glint.optics.Medium;
+import glint.optics.Texel;
 import glint.optics.Texture;
 import java.util.ArrayList;
 import java.util.HashMap;
@@ -181,10 +182,14 @@ public final class Prepared {
     return materials[surface];
   }
 
-  /** Returns what a surface's texture, if it has one, multiplies its colour by at a hit. */
-  public Rgb texture(int surface, Hit hit) {
-    TexturedSurface textured = textures.length == 0 ? null : textures[surface];
-    return textured == null ? Rgb.WHITE : textured.at(hit, primitives.isFlat(hit));
+  /** Sets a texel to what a surface's texture multiplies its colour by at a hit on it. */
+  public void texture(int surface, Hit hit, Texel texel) {
+    TexturedSurface textured = textures.length > 0 ? textures[surface] : null;
+    if (textured == null) {
+      texel.set(Rgb.WHITE);
+    } else {
+      textured.at(hit, primitives, texel);
+    }
   }
 
   /**

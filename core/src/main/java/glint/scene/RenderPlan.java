@@ -4,7 +4,9 @@ import glint.geometry.Mesh;
 import glint.geometry.Primitives;
 import glint.light.Illumination;
 import glint.optics.Highlight;
+import glint.optics.ImageTexture;
 import glint.optics.Material;
+import glint.optics.Texture;
 import java.util.List;
 import java.util.function.Predicate;
 
@@ -20,6 +22,7 @@ public record RenderPlan(
     Decision directLight,
     Decision shadows,
     Decision textures,
+    Decision images,
     Decision highlights,
     Decision mirrors,
     Decision refraction,
@@ -27,6 +30,8 @@ public record RenderPlan(
 
   /** Up to this many bounded primitives a scan of all is faster than a walk through a tree. */
   private static final int HANDFUL = 8;
+
+  private static final Predicate<Texture> IMAGE = t -> t instanceof ImageTexture;
 
   /** Looks at a scene once and decides. */
   static RenderPlan of(
@@ -38,6 +43,7 @@ public record RenderPlan(
         directLight(scene, lights),
         shadows(scene, lights),
         textures(scene),
+        images(scene),
         highlights(scene, lights),
         mirrors(scene),
         refraction(scene),
@@ -54,6 +60,7 @@ public record RenderPlan(
         new Decision("direct light", true, reason),
         new Decision("shadow rays", true, reason),
         new Decision("textures", true, reason),
+        new Decision("images", true, reason),
         new Decision("highlights", true, reason),
         new Decision("mirror rays", true, reason),
         new Decision("refraction", true, reason),
@@ -69,6 +76,7 @@ public record RenderPlan(
         directLight,
         shadows,
         textures,
+        images,
         highlights,
         mirrors,
         refraction,
@@ -135,6 +143,13 @@ public record RenderPlan(
     return textured == 0
         ? new Decision("textures", false, "every material has one colour")
         : new Decision("textures", true, "textured surfaces: " + textured);
+  }
+
+  private static Decision images(Scene scene) {
+    int count = count(scene, p -> p.any(m -> m.texture().filter(IMAGE).isPresent()));
+    return count == 0
+        ? new Decision("images", false, "no texture is an image")
+        : new Decision("images", true, "surfaces that show one: " + count);
   }
 
   private static Decision highlights(Scene scene, Illumination lights) {

@@ -1,13 +1,17 @@
 package glint.scene;
 
-import glint.color.Rgb;
 import glint.geometry.Hit;
 import glint.geometry.Mesh;
+import glint.geometry.Primitives;
 import glint.math.Transform;
+import glint.optics.ImageTexture;
+import glint.optics.Mapping;
 import glint.optics.Material;
+import glint.optics.Pattern;
+import glint.optics.Texel;
 import glint.optics.Texture;
 
-/** A texture on a surface: finds the place in the surface's own space. */
+/** A texture on a surface: finds the place in the surface's own space, or on its mesh. */
 final class TexturedSurface {
 
   /**
@@ -16,9 +20,20 @@ final class TexturedSurface {
    */
   private static final double TIE = 1 + 0x1p-20;
 
-  private final Texture texture;
-  private final boolean mesh;
+  /** The one or the other. */
+  private final Pattern pattern;
+
+  private final ImageTexture image;
+
+  /** How the image lies, or null where the points of a mesh say so. */
+  private final Mapping mapping;
+
+  /** The mesh that this is a part of, or null. */
+  private final Mesh mesh;
+
+  /** Null where no place in the surface's own space is asked for. */
   private final double[] toWorld;
+
   private final double[] toObject;
 
   /** Returns the texture of a material on a surface at its place, or null if it has none. */
@@ -27,21 +42,36 @@ final class TexturedSurface {
   }
 
   private TexturedSurface(Placement placement, Texture texture) {
-    this.texture = texture;
-    mesh = placement.surface() instanceof Mesh;
+    mesh = placement.surface() instanceof Mesh m ? m : null;
+    pattern = texture instanceof Pattern p ? p : null;
+    image = texture instanceof ImageTexture i ? i : null;
+    mapping =
+        image == null ? null : image.mapping().orElseGet(() -> OwnMapping.of(placement.surface()));
+    boolean placed = pattern != null || mapping != null;
     Transform transform = placement.toWorld();
-    toWorld = transform.rows();
-    toObject = transform.inverted().rows();
+    toWorld = placed ? transform.rows() : null;
+    toObject = placed ? transform.inverted().rows() : null;
   }
 
-  /**
-   * Returns the colour at a hit.
-   *
-   * @param flat whether the part that was hit is flat by itself
-   */
-  Rgb at(Hit hit, boolean flat) {
-    return texture.at(
-        object(0, hit), object(4, hit), object(8, hit), flat && !mesh ? axis(hit) : Texture.SOLID);
+  /** Sets a texel to what is seen at a hit. */
+  void at(Hit hit, Primitives primitives, Texel texel) {
+    if (toObject == null) {
+      mesh.findTexture(primitives.triangle(hit), hit);
+      texel.u = hit.textureU;
+      texel.v = hit.textureV;
+      image.at(texel);
+      return;
+    }
+    double x = object(0, hit);
+    double y = object(4, hit);
+    double z = object(8, hit);
+    int flat = mesh == null && primitives.isFlat(hit) ? axis(hit) : Pattern.SOLID;
+    if (pattern != null) {
+      texel.set(pattern.at(x, y, z, flat));
+    } else {
+      mapping.find(x, y, z, flat, texel);
+      image.at(texel);
+    }
   }
 
   private double object(int row, Hit hit) {

@@ -59,7 +59,8 @@ final class Boundary {
    *
    * @param ray the ray that hit; it goes on after what was crossed
    * @param end where the ray ends
-   * @param hit the first hit, resolved; replaced by an opaque one that coincides
+   * @param hit the first hit, resolved; replaced by an opaque one that coincides, and told which
+   *     part of the surface that decides is there
    * @param interior the media before
    */
   void meet(Ray ray, double end, Hit hit, Interior interior) {
@@ -95,6 +96,7 @@ final class Boundary {
       visible |= scene.isOpen(last.surface) || scene.mediumOf(last.surface) == Prepared.OUTSIDE;
       if (priority(last.surface) > priority(surface)) {
         surface = last.surface;
+        hit.copyPart(last);
       }
     }
     int after = beyond.current();

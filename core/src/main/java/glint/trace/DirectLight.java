@@ -10,6 +10,7 @@ import glint.optics.Highlight;
 import glint.optics.Lobe;
 import glint.optics.Material;
 import glint.optics.Medium;
+import glint.optics.Texel;
 import glint.scene.Prepared;
 import glint.scene.RenderPlan;
 import glint.trace.RayTree.Fate;
@@ -39,7 +40,7 @@ final class DirectLight {
   double b;
 
   /** What the surface's texture multiplies its colour by. */
-  private Rgb pattern = Rgb.WHITE;
+  private final Texel pattern = new Texel();
 
   /** The share of the light that passes on the way to it, by channel. */
   private double passR;
@@ -62,6 +63,7 @@ final class DirectLight {
     this.signature = signature;
     interior = new Interior(scene);
     boundary = new Boundary(scene, intersector);
+    pattern.set(Rgb.WHITE);
   }
 
   /**
@@ -73,19 +75,18 @@ final class DirectLight {
    */
   void find(int surface, Hit hit, Ray ray, Interior around) {
     Material material = scene.material(surface);
-    pattern = Rgb.WHITE;
     if (plan.textures().used()) {
-      pattern = scene.texture(surface, hit);
+      scene.texture(surface, hit, pattern);
       signature.add(pattern);
     }
     Rgb emission = material.emission();
     Rgb ambient = material.ambient();
     Rgb everywhere = lights.ambient();
-    r = emission.r() + ambient.r() * pattern.r() * everywhere.r();
-    g = emission.g() + ambient.g() * pattern.g() * everywhere.g();
-    b = emission.b() + ambient.b() * pattern.b() * everywhere.b();
+    r = emission.r() + ambient.r() * pattern.r * everywhere.r();
+    g = emission.g() + ambient.g() * pattern.g * everywhere.g();
+    b = emission.b() + ambient.b() * pattern.b * everywhere.b();
     if (recorder != null) {
-      recorder.glows(pattern, r, g, b);
+      recorder.glows(pattern.color(), r, g, b);
     }
     boolean dull = material.specular().isBlack() || !plan.highlights().used();
     if (!plan.directLight().used() || (dull && material.diffuse().isBlack())) {
@@ -116,9 +117,9 @@ final class DirectLight {
     signature.add(i);
     boolean shiny = plan.highlights().used() && !specular.isBlack();
     double lobe = shiny ? highlight(hit, ray, cos, material.shininess()) : 0;
-    double addR = passR * (light.r * (diffuse.r() * pattern.r() * cos + specular.r() * lobe));
-    double addG = passG * (light.g * (diffuse.g() * pattern.g() * cos + specular.g() * lobe));
-    double addB = passB * (light.b * (diffuse.b() * pattern.b() * cos + specular.b() * lobe));
+    double addR = passR * (light.r * (diffuse.r() * pattern.r * cos + specular.r() * lobe));
+    double addG = passG * (light.g * (diffuse.g() * pattern.g * cos + specular.g() * lobe));
+    double addB = passB * (light.b * (diffuse.b() * pattern.b * cos + specular.b() * lobe));
     r += addR;
     g += addG;
     b += addB;

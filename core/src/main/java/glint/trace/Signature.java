@@ -1,7 +1,7 @@
 package glint.trace;
 
-import glint.color.Rgb;
 import glint.geometry.Hit;
+import glint.optics.Texel;
 
 /**
  * What a tree of rays has met, in one number; scratch.
@@ -16,11 +16,21 @@ final class Signature {
   /** Normals that differ by less belong to one flat face. */
   private static final double FACET = 0x1p10;
 
+  /** By how much less a place in an image counts than one met later; no simple ratio. */
+  private static final double SHARE = 0.618;
+
   private long value;
+
+  /** Where in its images the tree looks, in their pixels. */
+  private double x;
+
+  private double y;
 
   /** Begins with nothing met. */
   void clear() {
     value = 0;
+    x = 0;
+    y = 0;
   }
 
   /** Returns the number. */
@@ -34,11 +44,29 @@ final class Signature {
     value = mixed ^ mixed >>> 29;
   }
 
-  /** Adds one of the colours of a pattern. */
-  void add(Rgb color) {
-    add(Double.doubleToLongBits(color.r()));
-    add(Double.doubleToLongBits(color.g()));
-    add(Double.doubleToLongBits(color.b()));
+  /**
+   * Adds what a texture shows: one of the colours of a pattern, or a place in an image, of which
+   * earlier ones count for less, so that none makes up for another.
+   */
+  void add(Texel texel) {
+    if (texel.isOfImage) {
+      x = SHARE * x + texel.x;
+      y = SHARE * y + texel.y;
+    } else {
+      add(Double.doubleToLongBits(texel.r));
+      add(Double.doubleToLongBits(texel.g));
+      add(Double.doubleToLongBits(texel.b));
+    }
+  }
+
+  /** Returns where in its images the tree looks, in their pixels, from left to right. */
+  double x() {
+    return x;
+  }
+
+  /** Returns the same from the bottom to the top. */
+  double y() {
+    return y;
   }
 
   /**

@@ -86,6 +86,16 @@ public final class Tracer {
     return signature.value();
   }
 
+  /** Returns where in the images that it met the last call of {@link #trace} looked, in pixels. */
+  public double imageX() {
+    return signature.x();
+  }
+
+  /** Returns the same upwards. */
+  public double imageY() {
+    return signature.y();
+  }
+
   /** Returns the rays traced so far. */
   public RayCounts counts() {
     return counts;

@@ -40,7 +40,7 @@ class ModelMaterialsTest {
       };
 
   private ModelMaterials materials(String text) {
-    return new ModelMaterials(ObjText.read(text), "m.obj", folder);
+    return new ModelMaterials(ObjText.read(text), "m.obj", folder, new Images(folder));
   }
 
   private static List<String> names(Mesh mesh, ObjModel model) {
@@ -105,7 +105,7 @@ class ModelMaterialsTest {
     assertEquals(List.of(), found.notes());
     assertEquals(2, found.parts().size());
     assertEquals("red", found.parts().get(0).name());
-    Rgb red = found.parts().get(0).material().orElseThrow().material().diffuse();
+    Rgb red = found.parts().get(0).material().orElseThrow().diffuse();
     assertEquals(new Rgb(1, 0, 0), red, "the first library counts");
     assertEquals("blue", found.parts().get(1).name());
   }

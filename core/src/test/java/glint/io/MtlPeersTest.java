@@ -81,7 +81,8 @@ class MtlPeersTest {
           opened.add(MODELS.resolve(path));
           return in;
         };
-    ModelMaterials materials = new ModelMaterials(model, expected.name(), beside);
+    ModelMaterials materials =
+        new ModelMaterials(model, expected.name(), beside, new Images(beside));
     assertEquals(List.of(), materials.problems());
     assertEquals(model.mesh().parts(), materials.parts().size());
     int count = 0;
@@ -140,7 +141,7 @@ class MtlPeersTest {
     assertEquals("diffuse.jpg", file("colorspace-issue-184.mtl", "default"));
     assertEquals("input.jpg", file("issue-248-texres-texopt.mtl", "white"));
     MtlMap map = material("texture-options-issue-85.mtl", "default").map().orElseThrow();
-    assertEquals(0.1, map.offsetU());
+    assertEquals(0.1, map.layout().offsetU());
   }
 
   private static String file(String library, String name) throws IOException {

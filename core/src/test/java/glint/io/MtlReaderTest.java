@@ -5,8 +5,10 @@ import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import glint.color.Rgb;
+import glint.optics.Layout;
 import glint.optics.Material;
 import glint.optics.Medium;
+import glint.optics.Wrap;
 import java.io.ByteArrayInputStream;
 import java.io.IOException;
 import java.io.UncheckedIOException;
@@ -212,6 +214,9 @@ class MtlReaderTest {
         "map_Kd -s 1 2|2:1: map_Kd needs the name of an image",
         "map_Kd -s a.png|2:1: option -s of map_Kd needs a number",
         "map_Kd a.png -clamp|2:1: option -clamp of map_Kd needs a value",
+        "map_Kd -s 1e7 a.png|2:1: map_Kd: scale must lie in -1000000.0 to 1000000.0, but is 1.0E7",
+        "map_Kd -o 1 1e7 a.png|2:1: map_Kd: offset must lie in -1000000.0 to 1000000.0, but is 1.0E7",
+        "map_Kd -mm 0 1e7 a.png|2:1: map_Kd: -mm must lie in -1000000.0 to 1000000.0, but is 1.0E7",
         "map_Kd a.png -bm 1 b|2:1: map_Kd has 'b' behind its options, which is none",
         "illum 7\\nNi 0|1:1: material 'a': ior must lie in 0.01 to 100.0, but is 0.0",
         "newmtl \\u0001|2:8: holds a control character (0x01): not a text file?",
@@ -253,6 +258,22 @@ class MtlReaderTest {
   }
 
   @Test
+  void optionsOfAnImageWithoutEffectAreToldOnce() {
+    String text = "newmtl a\nmap_Kd -bm 1 -t 1 a.png -blendu off\nnewmtl b\nmap_Kd -cc on a.png";
+    assertEquals(List.of("2:1: '-bm' has no effect here (4 times in this file)"), notes(text));
+    String used = "newmtl a\nmap_Kd -s 1 2 -o 1 -clamp off -mm 0 1 a.png";
+    assertEquals(List.of(), notes(used));
+  }
+
+  @Test
+  void whatIsUnlitHasNoImage() {
+    String text = "newmtl a\nKd .5 .5 .5\nmap_Kd a.png\nillum 0";
+    assertEquals(
+        List.of("1:1: illum 0 shows Kd alone: the image of map_Kd is left out"), notes(text));
+    assertFalse(read(text).materials().get("a").map().isPresent());
+  }
+
+  @Test
   void manyProblemsEndTheReading() {
     List<String> problems = lines(read("newmtl a\n" + "Kd\n".repeat(100_000)).problems());
     assertEquals(11, problems.size());
@@ -265,7 +286,7 @@ class MtlReaderTest {
 
   @Test
   void anImageHasOptionsBeforeAndAfterItsName() {
-    MtlMap plain = new MtlMap("a.png", 2, 1, 0, 0, 1, 1, false, 0, 1);
+    MtlMap plain = new MtlMap("a.png", 2, 1, Layout.ONCE, 0, 1);
     assertEquals(plain, map("a.png"));
     assertEquals(plain, map("  a.png  "));
     for (String noEffect :
@@ -287,11 +308,12 @@ class MtlReaderTest {
       assertEquals(plain, map(noEffect + " a.png"), noEffect);
       assertEquals(plain, map("a.png " + noEffect), noEffect);
     }
-    MtlMap all = new MtlMap("a.png", 2, 1, 0.1, 0.2, 3, -4, true, 0.5, 2);
+    Layout layout = new Layout(3, -4, 0.1, 0.2, Wrap.CLAMP);
+    MtlMap all = new MtlMap("a.png", 2, 1, layout, 0.5, 2);
     assertEquals(all, map("-o .1 .2 -s 3 -4 5 -clamp on -mm .5 2 a.png"));
     assertEquals(all, map("-clamp on -o .1 .2 .3 a.png -s 3 -4 -mm .5 2"));
-    assertEquals(0.1, map("-o .1 a.png").offsetU());
-    assertEquals(0, map("-o .1 a.png").offsetV());
+    assertEquals(0.1, map("-o .1 a.png").layout().offsetU());
+    assertEquals(0, map("-o .1 a.png").layout().offsetV());
   }
 
   @Test

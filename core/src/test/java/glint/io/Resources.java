@@ -1,5 +1,7 @@
 package glint.io;
 
+import glint.image.ByteImage;
+import glint.image.Noise;
 import java.io.ByteArrayInputStream;
 import java.io.IOException;
 import java.io.InputStream;
@@ -8,6 +10,7 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.function.Consumer;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
 
@@ -29,14 +32,22 @@ final class Resources {
       Output 100 100 s.png
       """;
 
-  /** The models beside the test's files. */
+  /** The models beside the test's files; every image is the same. */
   static final SceneFolder MODELS =
-      path -> {
-        InputStream in = Resources.class.getResourceAsStream(path);
-        if (in == null) {
-          throw new IOException("no such file");
+      new SceneFolder() {
+        @Override
+        public InputStream open(String path) throws IOException {
+          InputStream in = Resources.class.getResourceAsStream(path);
+          if (in == null && !path.endsWith(".png")) {
+            throw new IOException("no such file");
+          }
+          return in == null ? InputStream.nullInputStream() : in;
         }
-        return in;
+
+        @Override
+        public ByteImage decode(InputStream in, Consumer<String> remarks) {
+          return Noise.of(5, 3);
+        }
       };
 
   private Resources() {}

@@ -2,6 +2,8 @@ package glint.io;
 
 import static org.junit.jupiter.api.Assertions.assertArrayEquals;
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertNotSame;
+import static org.junit.jupiter.api.Assertions.assertSame;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import glint.color.Rgb;
@@ -20,9 +22,14 @@ import glint.math.Transform;
 import glint.math.Vector3d;
 import glint.optics.Checker;
 import glint.optics.Highlight;
+import glint.optics.ImageTexture;
+import glint.optics.Layout;
 import glint.optics.Material;
 import glint.optics.Medium;
+import glint.optics.Planar;
+import glint.optics.Spherical;
 import glint.optics.Stripes;
+import glint.optics.Wrap;
 import glint.scene.Background;
 import glint.scene.Camera;
 import glint.scene.Expectation;
@@ -243,6 +250,29 @@ class YamlScenesTest {
                 new Medium(1.5, new Rgb(0, 0.25, 20), -3))
             .textured(new Checker(0.5, Rgb.grey(0.25), new Rgb(1, 0, 0))),
         scenes.get(1).placements().get(0).material());
+  }
+
+  private static ImageTexture image(Placement placement) {
+    return (ImageTexture) placement.material().texture().orElseThrow();
+  }
+
+  @Test
+  void images() {
+    List<Placement> placements = scenes.get(0).placements();
+    ImageTexture crate = image(placements.get(7));
+    assertEquals(Layout.ONCE, crate.layout());
+    assertEquals(Optional.empty(), crate.mapping());
+    ImageTexture wall = image(placements.get(8));
+    assertEquals(new Layout(2, -3, 0.5, 0.25, Wrap.MIRROR), wall.layout());
+    assertEquals(Optional.of(Planar.of(v(1, 2, 3), v(2, 0, 0), v(1, 0, -4))), wall.mapping());
+    ImageTexture globe = image(placements.get(9));
+    assertEquals(new Layout(2, 2, 0, 0, Wrap.CLAMP), globe.layout());
+    assertEquals(Optional.of(Spherical.around(v(1, 2, 3))), globe.mapping());
+    assertEquals(
+        Optional.of(Spherical.of(v(1, 2, 3), v(0, 0, 1), v(0, -1, 0))),
+        image(placements.get(10)).mapping());
+    assertSame(crate.image(), wall.image());
+    assertNotSame(crate.image(), globe.image());
   }
 
   @Test

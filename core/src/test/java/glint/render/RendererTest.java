@@ -18,10 +18,13 @@ import glint.geometry.Sphere;
 import glint.geometry.Surface;
 import glint.geometry.Triangle;
 import glint.image.Image;
+import glint.image.Noise;
 import glint.light.Light;
 import glint.math.Quaternion;
 import glint.math.Transform;
 import glint.math.Vector3d;
+import glint.optics.ImageTexture;
+import glint.optics.Layout;
 import glint.optics.Material;
 import glint.optics.Medium;
 import glint.optics.Stripes;
@@ -35,6 +38,7 @@ import glint.scene.Scene;
 import java.util.ArrayList;
 import java.util.Collections;
 import java.util.List;
+import java.util.Optional;
 import java.util.OptionalInt;
 import java.util.Set;
 import java.util.concurrent.CancellationException;
@@ -91,7 +95,13 @@ class RendererTest {
       }
       int[] corners = {0, 2, 4, 2, 1, 4, 1, 3, 4, 3, 0, 4, 2, 0, 5, 1, 2, 5, 3, 1, 5, 0, 3, 5};
       Mesh flat = new Mesh(points, corners);
-      return flat.withNormals(new CornerValues(3, normals, corners), new int[8]);
+      double[] pairs = {0, 0, 1, 0, 2, 0.5, 0.5, -1};
+      int[] paired = new int[24];
+      for (int i = 0; i < 24; i++) {
+        paired[i] = corners[i] % 5 - 1; // some have none
+      }
+      return flat.withNormals(new CornerValues(3, normals, corners), new int[8])
+          .withTexture(new CornerValues(2, pairs, paired));
     }
 
     private Box box() {
@@ -110,6 +120,8 @@ class RendererTest {
                   Rgb.grey(0.6),
                   Rgb.BLACK)
               .textured(new Stripes(0.3 * scale, Rgb.WHITE, new Rgb(0.2, 0.5, 0.7)));
+      Material picture =
+          mirror.textured(new ImageTexture(Noise.of(5, 3), Layout.ONCE, Optional.empty()));
       Scene.Builder scene =
           new Scene.Builder("world")
               .camera(Camera.of(v(0.5, 1.5, 8), v(0.1, 0.2, 0.3), d(0, 1, 0), lens()))
@@ -119,7 +131,9 @@ class RendererTest {
               .light(new Light.Point(v(-3, 4, 3), Rgb.grey(9 * scale * scale), true))
               .light(new Light.Directional(d(-0.2, -1, -0.4), Rgb.grey(0.2)));
       for (Surface surface : surfaces()) {
-        scene.place(Placement.of(surface, surface instanceof Box ? Material.WHITE : mirror));
+        boolean pictured = surface instanceof Quad || surface instanceof Triangle;
+        Material plain = surface instanceof Box ? Material.WHITE : mirror;
+        scene.place(Placement.of(surface, pictured ? picture : plain));
       }
       Transform squash =
           Transform.scale(new Vector3d(1, 0.5, 0.7))
@@ -127,12 +141,12 @@ class RendererTest {
               .then(Transform.translate(v(0.5, -0.4, 2.5)));
       scene.place(new Placement(new Sphere(Vector3d.ZERO, scale * 0.6), squash, mirror));
       Mesh jewel = jewel();
-      scene.place(Placement.of(jewel, mirror));
+      scene.place(Placement.of(jewel, picture));
       Transform shrunk =
           Transform.scale(new Vector3d(0.5, -0.7, 0.6))
               .then(Transform.rotate(Quaternion.aboutAxis(new Vector3d(1, 0, 0), 25)))
               .then(Transform.translate(v(-2.3, 3, 0.8)));
-      scene.place(new Placement(jewel, shrunk, mirror));
+      scene.place(new Placement(jewel, shrunk, picture));
       scene.place(Placement.of(new Sphere(v(-0.8, -0.2, 3), scale * 0.5), glass(1.5, 1)));
       return scene.place(Placement.of(new Sphere(v(-0.4, -0.4, 3), scale * 0.4), glass(1.3, 0)));
     }

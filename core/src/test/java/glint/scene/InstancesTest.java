@@ -94,6 +94,7 @@ class InstancesTest {
             plan.directLight(),
             plan.shadows(),
             plan.textures(),
+            plan.images(),
             plan.highlights(),
             plan.mirrors(),
             plan.refraction(),

@@ -19,6 +19,7 @@ import glint.math.Transform;
 import glint.math.Vector3d;
 import glint.optics.Checker;
 import glint.optics.Material;
+import glint.optics.Pattern;
 import glint.optics.Stripes;
 import glint.optics.Texture;
 import glint.scene.Background;
@@ -199,11 +200,11 @@ class TextureTest {
 
   @Test
   void farAwayCellsAreStillEvenOrOdd() {
-    assertEquals(Rgb.BLACK, CHECKER.at(1e99, -1e99, 3e50, Texture.SOLID));
-    assertEquals(Rgb.WHITE, CHECKER.at(1e99, -1e99, -0.25, Texture.SOLID));
-    assertEquals(Rgb.WHITE, STRIPES.at(0, 0, -0.25, Texture.SOLID));
-    assertEquals(Rgb.WHITE, STRIPES.at(0, 0, 0x1p51 + 0.5, Texture.SOLID));
-    assertEquals(Rgb.BLACK, STRIPES.at(0, 0, 0x1p51, Texture.SOLID));
+    assertEquals(Rgb.BLACK, CHECKER.at(1e99, -1e99, 3e50, Pattern.SOLID));
+    assertEquals(Rgb.WHITE, CHECKER.at(1e99, -1e99, -0.25, Pattern.SOLID));
+    assertEquals(Rgb.WHITE, STRIPES.at(0, 0, -0.25, Pattern.SOLID));
+    assertEquals(Rgb.WHITE, STRIPES.at(0, 0, 0x1p51 + 0.5, Pattern.SOLID));
+    assertEquals(Rgb.BLACK, STRIPES.at(0, 0, 0x1p51, Pattern.SOLID));
   }
 
   @Test

@@ -5,8 +5,6 @@ import glint.image.Image;
 import glint.io.Pfm;
 import glint.scene.Scene;
 import java.awt.image.BufferedImage;
-import java.awt.image.IndexColorModel;
-import java.awt.image.WritableRaster;
 import java.io.BufferedInputStream;
 import java.io.IOException;
 import java.io.InputStream;
@@ -66,28 +64,19 @@ final class ImageFiles {
     }
   }
 
-  /** Takes samples from the raster: getRGB would bend grey ones through a colour profile. */
   private static Image decode(BufferedImage png, Transfer transfer) {
-    WritableRaster raster = png.getRaster();
-    IndexColorModel palette = png.getColorModel() instanceof IndexColorModel m ? m : null;
-    double white = palette != null ? 255 : (1 << raster.getSampleModel().getSampleSize(0)) - 1;
-    int bands = raster.getNumBands();
-    int color = bands >= 3 ? 1 : 0;
+    Samples samples = new Samples(png);
+    double white = samples.white();
     Image image = new Image(png.getWidth(), png.getHeight());
-    int[] row = new int[bands * image.width()];
     for (int y = 0; y < image.height(); y++) {
-      raster.getPixels(0, y, image.width(), 1, row);
+      samples.row(y);
       for (int x = 0; x < image.width(); x++) {
-        int at = bands * x;
-        int r = palette != null ? palette.getRed(row[at]) : row[at];
-        int g = palette != null ? palette.getGreen(row[at]) : row[at + color];
-        int b = palette != null ? palette.getBlue(row[at]) : row[at + 2 * color];
         image.set(
             x,
             y,
-            transfer.decode(r / white),
-            transfer.decode(g / white),
-            transfer.decode(b / white));
+            transfer.decode(samples.of(x, 0) / white),
+            transfer.decode(samples.of(x, 1) / white),
+            transfer.decode(samples.of(x, 2) / white));
       }
     }
     return image;

@@ -1,5 +1,6 @@
 package glint.desktop;
 
+import glint.image.ByteImage;
 import glint.io.SceneFolder;
 import java.io.IOException;
 import java.io.InputStream;
@@ -11,8 +12,12 @@ import java.security.DigestInputStream;
 import java.security.MessageDigest;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.function.Consumer;
 
-/** Opens the models that one scene file names, and keeps what tells whether one has changed. */
+/**
+ * Opens the models and images that one scene file names, and keeps what tells whether one has
+ * changed.
+ */
 final class ModelFolder implements SceneFolder {
 
   private final Path sceneFile;
@@ -27,13 +32,13 @@ final class ModelFolder implements SceneFolder {
   @Override
   public InputStream open(String path) throws IOException {
     try {
-      Path model = sceneFile.resolveSibling(path);
-      if (Files.isDirectory(model)) {
-        throw new IOException("is a folder, not a model");
+      Path file = sceneFile.resolveSibling(path);
+      if (Files.isDirectory(file)) {
+        throw new IOException("is a folder, not a file");
       }
-      FileTime modified = Files.getLastModifiedTime(model);
+      FileTime modified = Files.getLastModifiedTime(file);
       MessageDigest digest = Digests.begin();
-      InputStream in = new DigestInputStream(Files.newInputStream(model), digest);
+      InputStream in = new DigestInputStream(Files.newInputStream(file), digest);
       newest = newest.compareTo(modified) < 0 ? modified : newest;
       digests.add(digest);
       return in;
@@ -47,7 +52,16 @@ final class ModelFolder implements SceneFolder {
     return sceneFile.resolveSibling(path).toString();
   }
 
-  /** Returns when the last change was made to the scene file or to a model that was opened. */
+  @Override
+  public ByteImage decode(InputStream in, Consumer<String> remarks) throws IOException {
+    try {
+      return TextureFiles.decode(in, remarks);
+    } catch (IOException e) {
+      throw new IOException(Reasons.of(e), e);
+    }
+  }
+
+  /** Returns when the last change was made to the scene file or to another that was opened. */
   FileTime newest() {
     return newest;
   }

@@ -83,7 +83,7 @@ class ModelFilesTest {
         Map.of(
             "models/none.obj", "no such file or folder",
             "none/square.obj", "no such file or folder",
-            "models.obj", "is a folder, not a model",
+            "models.obj", "is a folder, not a file",
             "\\0.obj", "cannot be a file's name here");
     Files.createDirectory(file.resolveSibling("models.obj"));
     for (Map.Entry<String, String> each : reasons.entrySet()) {
