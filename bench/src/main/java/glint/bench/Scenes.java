@@ -24,15 +24,14 @@ final class Scenes {
   private Scenes() {}
 
   /**
-   * Reads a scene file, and models beside it.
+   * Reads a scene file, and models and images beside it.
    *
    * @throws IOException if anything is wrong with it
    */
   static List<Scene> read(Path file) throws IOException {
     try (InputStream in = Files.newInputStream(file)) {
       Path folder = file.toAbsolutePath().getParent();
-      return scenes(
-          SceneFiles.read(in, file.toString(), path -> Files.newInputStream(folder.resolve(path))));
+      return scenes(SceneFiles.read(in, file.toString(), new SceneFolderHere(folder)));
     }
   }
 
