@@ -201,6 +201,13 @@ public final class Mesh implements Surface {
     return size;
   }
 
+  /** Writes the nine coordinates of a triangle's corners. */
+  public void corners(int triangle, double[] out) {
+    for (int i = 0; i < 9; i++) {
+      out[i] = coordinate(triangle, i / 3, i % 3);
+    }
+  }
+
   /** Returns one coordinate, 0 to 2, of a corner, 0 to 2, of a triangle. */
   double coordinate(int triangle, int corner, int axis) {
     return points[3 * corners[3 * triangle + corner] + axis];

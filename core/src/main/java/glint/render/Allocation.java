@@ -26,7 +26,7 @@ final class Allocation {
   /** The same where an edge is known twice as well. */
   private static final double HALVED = 0.25;
 
-  /** An edge is searched while its variance is more than this share of what is hidden. */
+  /** An edge is searched while its variance is more than this share of what it leaves. */
   private static final double SEARCHED = 0.2;
 
   private final Film film;
@@ -100,7 +100,12 @@ final class Allocation {
   boolean searches(int pixel) {
     return film.kind[pixel] == Film.SPLIT
         && film.level[pixel] == 0
-        && film.own[pixel] > SEARCHED * model.hidden(pixel);
+        && film.own[pixel] - film.doubt[pixel] > SEARCHED * lasting(pixel);
+  }
+
+  /** Returns the part of the variance of a split pixel that searching for its edge leaves. */
+  private double lasting(int pixel) {
+    return model.hidden(pixel) + film.doubt[pixel];
   }
 
   private double cost(int pixel) {
@@ -117,8 +122,9 @@ final class Allocation {
     if (!searches(pixel)) {
       return SAMPLED;
     }
-    double hidden = model.hidden(pixel);
-    return (HALVED * film.own[pixel] + hidden) / (film.own[pixel] + hidden);
+    double lasting = lasting(pixel);
+    double searched = film.own[pixel] - film.doubt[pixel];
+    return (HALVED * searched + lasting) / (searched + lasting);
   }
 
   private static int bin(double value) {

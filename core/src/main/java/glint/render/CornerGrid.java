@@ -16,6 +16,9 @@ final class CornerGrid {
   /** What each corner's ray met. */
   final long[] signature;
 
+  /** The number of the surface that each corner sees, or -1. */
+  final int[] first;
+
   /** Linear radiance, three numbers a corner. */
   final double[] rgb;
 
@@ -34,6 +37,7 @@ final class CornerGrid {
     stride = width + 1;
     rows = height + 1;
     signature = new long[stride * rows];
+    first = new int[stride * rows];
     rgb = new double[3 * stride * rows];
     cut = new float[stride * rows];
     image = new float[images ? 2 * stride * rows : 0];
@@ -44,6 +48,7 @@ final class CornerGrid {
     int at = y * stride + x;
     boolean finite = probe.trace(x, y);
     signature[at] = finite ? probe.signature() : at;
+    first[at] = probe.first();
     rgb[3 * at] = finite ? probe.r() : 0;
     rgb[3 * at + 1] = finite ? probe.g() : 0;
     rgb[3 * at + 2] = finite ? probe.b() : 0;
@@ -69,6 +74,13 @@ final class CornerGrid {
     return signature[a] == signature[b]
         && !(Math.abs(image[2 * a] - image[2 * b]) <= 1
             && Math.abs(image[2 * a + 1] - image[2 * b + 1]) <= 1);
+  }
+
+  /** Returns the mean radiance at the corners of a pixel, in one channel. */
+  double mean(int x, int y, int channel) {
+    int a = 3 * (y * stride + x) + channel;
+    int c = a + 3 * stride;
+    return 0.25 * (rgb[a] + rgb[a + 3] + rgb[c] + rgb[c + 3]);
   }
 
   /**

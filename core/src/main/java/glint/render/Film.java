@@ -2,6 +2,8 @@ package glint.render;
 
 import glint.image.Image;
 import java.util.Arrays;
+import java.util.HashMap;
+import java.util.Map;
 
 /** What is known of every pixel while an image is refined: flat arrays in row order. */
 final class Film {
@@ -20,6 +22,9 @@ final class Film {
 
   /** A variance of what samples find, in levels², that is much. */
   private static final double FOUND = 4;
+
+  /** Samples anywhere in a pixel do well enough for a part of it that is larger. */
+  private static final double LARGE = 0.9;
 
   final int width;
   final int height;
@@ -41,8 +46,14 @@ final class Film {
   /** Of an unsampled pixel a variance in levels², else what its samples say of theirs. */
   final float[] own;
 
+  /** The part of that, of a split pixel, that no better knowledge of its sides takes away. */
+  final float[] doubt;
+
   /** The variance of the surroundings, in levels². */
   final float[] contrast;
+
+  /** The parts of pixels that are sampled by themselves, by pixel. */
+  final Map<Integer, Focus> focus = new HashMap<>();
 
   /** Where the sums of a sampled pixel stand, or -1. */
   final int[] slot;
@@ -75,6 +86,7 @@ final class Film {
     checked = new boolean[count];
     level = new byte[count];
     own = new float[count];
+    doubt = new float[count];
     contrast = new float[count];
     slot = new int[count];
     Arrays.fill(slot, -1);
@@ -102,6 +114,17 @@ final class Film {
     valid[slot[pixel]] = 0;
     cut[slot[pixel]] = 0;
     Arrays.fill(sums, SLOT * slot[pixel], SLOT * (slot[pixel] + 1), 0);
+  }
+
+  /** Notes that a pixel shows something small, in a part that is sampled by itself if it is. */
+  void aim(int pixel, Focus seen) {
+    kind[pixel] = BUSY;
+    if (seen.area() > LARGE) {
+      contrast[pixel] = Math.max(contrast[pixel], (float) seen.doubt);
+    } else {
+      contrast[pixel] = 0;
+      focus.put(pixel, seen);
+    }
   }
 
   /** Returns the number of samples of a pixel. */

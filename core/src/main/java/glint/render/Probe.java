@@ -83,6 +83,16 @@ final class Probe {
     return tracer.imageY();
   }
 
+  /** Returns the number of the surface that the last ray met first, or -1. */
+  int first() {
+    return tracer.first;
+  }
+
+  /** Returns how places in the image and points in the world belong together. */
+  View view() {
+    return view;
+  }
+
   /** Sets a ray through a place; returns what it sees first. */
   Hit look(double x, double y, Ray out) {
     double end = view.ray(x, y, out);

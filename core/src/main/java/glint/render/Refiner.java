@@ -27,6 +27,7 @@ final class Refiner {
   private final double[] mean = new double[3];
 
   final Probe probe;
+  final Aim aim;
 
   Refiner(Film film, CornerGrid corners, Sides sides, LevelScale scale, Probe probe, long seed) {
     this.film = film;
@@ -36,6 +37,7 @@ final class Refiner {
     this.probe = probe;
     split = new Split(corners, sides);
     places = new SobolSampler(seed);
+    aim = new Aim(corners, scale, probe);
   }
 
   /** Decides what kind of pixel this is by its corners. */
@@ -103,22 +105,21 @@ final class Refiner {
     if (film.kind[pixel] == Film.SPLIT) {
       if (split.look(x, y)) {
         film.image.set(x, y, split.mean(0), split.mean(1), split.mean(2));
-        film.own[pixel] = (float) split.variance(scale);
+        film.doubt[pixel] = (float) split.doubt(scale);
+        film.own[pixel] = (float) split.variance(scale) + film.doubt[pixel];
         return;
       }
       film.kind[pixel] = Film.BUSY;
     }
-    film.image.set(x, y, between(x, y, 0), between(x, y, 1), between(x, y, 2));
+    Focus focus = film.kind[pixel] == Film.BUSY ? film.focus.get(pixel) : null;
+    if (focus != null) {
+      film.image.set(x, y, focus.guess[0], focus.guess[1], focus.guess[2]);
+      film.own[pixel] = (float) focus.doubt;
+      return;
+    }
+    film.image.set(x, y, corners.mean(x, y, 0), corners.mean(x, y, 1), corners.mean(x, y, 2));
     film.own[pixel] =
         film.kind[pixel] == Film.SMOOTH ? (float) curvature(x, y) : 0.3f * film.contrast[pixel];
-  }
-
-  /** Returns the mean of the corners. */
-  private double between(int x, int y, int channel) {
-    double[] rgb = corners.rgb;
-    int a = 3 * (y * corners.stride + x) + channel;
-    int c = a + 3 * corners.stride;
-    return 0.25 * (rgb[a] + rgb[a + 3] + rgb[c] + rgb[c + 3]);
   }
 
   /**
@@ -134,7 +135,7 @@ final class Refiner {
               + bend(a + corners.stride, 1, x, corners.stride, channel)
               + bend(a, corners.stride, y, corners.rows, channel)
               + bend(a + 1, corners.stride, y, corners.rows, channel);
-      sum += scale.squaredError(between(x, y, channel), bends / 24);
+      sum += scale.squaredError(corners.mean(x, y, channel), bends / 24);
     }
     return sum / 3;
   }
@@ -193,6 +194,11 @@ final class Refiner {
     places.pixel(x, y);
     int total = 1 << level;
     int half = total / 2;
+    Focus focus = film.kind[pixel] == Film.BUSY ? film.focus.get(pixel) : null;
+    if (focus != null) {
+      film.level[pixel] = (byte) level;
+      return sample(x, y, slot, focus, have, total);
+    }
     for (int i = have; i < total; i++) {
       if (i == half) {
         keepMean(slot);
@@ -202,6 +208,28 @@ final class Refiner {
     }
     film.level[pixel] = (byte) level;
     return finish(x, y, slot);
+  }
+
+  private double sample(int x, int y, int slot, Focus focus, int have, int total) {
+    for (int i = have; i < total; i++) {
+      if (i == total / 2) {
+        focus.mean(before);
+      }
+      if (focus.sample(probe, places, x, y, i)) {
+        film.valid[slot]++;
+        film.cut[slot] += (float) probe.cut();
+      }
+    }
+    focus.mean(mean);
+    double moved = 0;
+    double variance = 0;
+    for (int channel = 0; channel < 3; channel++) {
+      moved += scale.squaredDifference(mean[channel], before[channel]);
+      variance += scale.squaredError(mean[channel], focus.deviation(channel));
+    }
+    film.image.set(x, y, mean[0], mean[1], mean[2]);
+    film.own[y * film.width + x] = (float) (variance / 3 + focus.unseen());
+    return moved / 3;
   }
 
   private void keepMean(int slot) {
@@ -227,7 +255,7 @@ final class Refiner {
     for (int channel = 0; channel < 3; channel++) {
       film.sums[Film.SLOT * slot + 6 + channel] =
           switch (film.kind[pixel]) {
-            case Film.SMOOTH -> between(x, y, channel);
+            case Film.SMOOTH -> corners.mean(x, y, channel);
             case Film.SPLIT -> split.mean(channel);
             default -> 0;
           };

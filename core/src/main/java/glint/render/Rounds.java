@@ -1,5 +1,8 @@
 package glint.render;
 
+import java.util.List;
+import java.util.Map;
+
 /**
  * Refines an image until its estimated error is as small as was asked for.
  *
@@ -36,8 +39,10 @@ final class Rounds {
   private final Crew<Refiner> crew;
   private final Tiles tiles;
   private final TileCount done;
+  private final SmallThings small;
 
   Rounds(
+      SmallThings small,
       RenderSettings settings,
       Film film,
       CornerGrid corners,
@@ -45,6 +50,7 @@ final class Rounds {
       LevelScale scale,
       Crew<Refiner> crew,
       Progress progress) {
+    this.small = small;
     this.film = film;
     this.corners = corners;
     this.sides = sides;
@@ -107,9 +113,30 @@ final class Rounds {
           done.add(refiner.probe);
         });
     crew.run(tiles.count(), (refiner, i) -> tiles.forEach(i, refiner::classify));
+    aim();
     do {
       crew.run(tiles.count(), (refiner, i) -> tiles.forEach(i, refiner::survey));
     } while (check());
+  }
+
+  /** Looks for things that are too small or thin for the rays through corners. */
+  private void aim() throws InterruptedException {
+    Map<Integer, List<SmallThings.Glimpse>> glimpses = small.find();
+    List<Integer> pixels = List.copyOf(glimpses.keySet());
+    Focus[] seen = new Focus[pixels.size()];
+    crew.run(
+        (seen.length + BATCH - 1) / BATCH,
+        (refiner, batch) -> {
+          for (int i = BATCH * batch; i < Math.min(seen.length, BATCH * (batch + 1)); i++) {
+            int pixel = pixels.get(i);
+            seen[i] = refiner.aim.look(pixel % film.width, pixel / film.width, glimpses.get(pixel));
+          }
+        });
+    for (int i = 0; i < seen.length; i++) {
+      if (seen[i] != null) {
+        film.aim(pixels.get(i), seen[i]);
+      }
+    }
   }
 
   private void traceCorners(Refiner refiner, int tile) {

@@ -45,7 +45,8 @@ final class Sampling {
         (count + BATCH - 1) / BATCH,
         (refiner, batch) -> {
           for (int i = BATCH * batch; i < Math.min(count, BATCH * (batch + 1)); i++) {
-            int level = Math.max(least, film.level[chosen[i]] + 1);
+            int first = film.focus.containsKey(chosen[i]) ? Refiner.FIRST + 1 : least;
+            int level = Math.max(first, film.level[chosen[i]] + 1);
             moved[i] = refiner.sample(chosen[i] % film.width, chosen[i] / film.width, level);
           }
         });

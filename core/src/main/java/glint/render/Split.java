@@ -207,11 +207,11 @@ final class Split {
   }
 
   /**
-   * Returns the variance of the mean, in levels², by what is not known of where the edge is: it may
-   * be anywhere in its brackets.
+   * Returns the variance of the mean, in levels², by what is not known of where the edge meets the
+   * sides: it may be anywhere in its brackets.
    */
   double variance(LevelScale scale) {
-    double variance = doubt * doubt;
+    double variance = 0;
     for (int i = 0; i < 2; i++) {
       double along = along(i);
       double half = 0.5 * sides.length(crossed[i]);
@@ -222,7 +222,15 @@ final class Split {
       place(i, along);
       variance += range * range / 12; // of a number even in a range
     }
-    double error = Math.sqrt(variance);
+    return inLevels(scale, Math.sqrt(variance));
+  }
+
+  /** Returns the variance of the mean, in levels², by what is not known of how the edge curves. */
+  double doubt(LevelScale scale) {
+    return inLevels(scale, doubt);
+  }
+
+  private double inLevels(LevelScale scale, double error) {
     double sum = 0;
     for (int channel = 0; channel < 3; channel++) {
       sum += scale.squaredError(mean(channel), error * (first[channel] - second[channel]));

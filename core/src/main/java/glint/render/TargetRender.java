@@ -41,7 +41,8 @@ final class TargetRender implements Method {
       refiners.add(new Refiner(film, corners, sides, scale, probe, settings.seed()));
     }
     try (Crew<Refiner> crew = new Crew<>(refiners, cancelled)) {
-      Rounds rounds = new Rounds(settings, film, corners, sides, scale, crew, progress);
+      SmallThings small = new SmallThings(scene, refiners.get(0).probe.view(), corners);
+      Rounds rounds = new Rounds(small, settings, film, corners, sides, scale, crew, progress);
       double error = rounds.run(goal.levels() * (1 - Cutoff.SHARE), deadline);
       look(crew, rounds);
       return traced(refiners, error);

@@ -16,6 +16,9 @@ public final class View {
   private final double halfHeight;
   private final boolean parallel;
 
+  /** How far behind the picture the eye of an orthographic camera is, in heights of the picture. */
+  private static final double FAR_BEHIND = 1e8;
+
   /** Sets up the camera's frame for an image of {@code width × height} pixels. */
   public View(Camera camera, int width, int height) {
     this.camera = camera;
@@ -61,5 +64,35 @@ public final class View {
     // The component along the view is 1, so a clipping distance is reached at t = length times it.
     ray.tMin = camera.near() * length;
     return camera.far() * length;
+  }
+
+  /** Returns where it is seen from: of an orthographic camera a point far behind the picture. */
+  public Vector3d eye() {
+    Vector3d eye = camera.position();
+    return parallel ? eye.minus(forward.times(FAR_BEHIND * halfHeight)) : eye;
+  }
+
+  /** Returns how far a point lies in front of the camera, along the view. */
+  public double depth(double x, double y, double z) {
+    Vector3d eye = camera.position();
+    return (x - eye.x()) * forward.x() + (y - eye.y()) * forward.y() + (z - eye.z()) * forward.z();
+  }
+
+  /**
+   * Finds the place in the image where a point is seen, the inverse of {@link #ray}.
+   *
+   * @param out set to columns from the left edge and rows from the top edge; of no meaning where
+   *     the depth is not more than 0
+   */
+  public void project(double x, double y, double z, double[] out) {
+    Vector3d eye = camera.position();
+    double dx = x - eye.x();
+    double dy = y - eye.y();
+    double dz = z - eye.z();
+    double depth = parallel ? 1 : depth(x, y, z);
+    double sx = (dx * right.x() + dy * right.y() + dz * right.z()) / (depth * halfWidth);
+    double sy = (dx * up.x() + dy * up.y() + dz * up.z()) / (depth * halfHeight);
+    out[0] = (1 + sx) * width / 2;
+    out[1] = (1 - sy) * height / 2;
   }
 }

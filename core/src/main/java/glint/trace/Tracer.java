@@ -52,6 +52,9 @@ public final class Tracer {
   /** A bound, in any channel, on the radiance that the last call of {@link #trace} left out. */
   public double cut;
 
+  /** The number of the surface that the last camera ray met first, or -1. */
+  public int first;
+
   /** Makes a tracer that tells nobody. */
   public Tracer(Prepared scene, int maxDepth, double negligible) {
     this(scene, maxDepth, negligible, null);
@@ -112,16 +115,17 @@ public final class Tracer {
     g = 0;
     b = 0;
     cut = 0;
+    first = -1;
     signature.clear();
     counts.camera++;
-    Frame first = frame(0);
-    first.ray.copy(ray);
-    first.begin(tMax, 1, 1, 1);
-    first.gain = 1;
-    first.from = ray.tMin;
-    first.interior.clear();
+    Frame f = frame(0);
+    f.ray.copy(ray);
+    f.begin(tMax, 1, 1, 1);
+    f.gain = 1;
+    f.from = ray.tMin;
+    f.interior.clear();
     if (plan.refraction().used()) {
-      start.find(ray, first.interior);
+      start.find(ray, f.interior);
     }
     follow(0, 0);
   }
@@ -155,6 +159,7 @@ public final class Tracer {
         return;
       }
       signature.add(hit, boundary.surface);
+      first = level + depth == 0 ? boundary.surface : first;
       Material material = scene.material(boundary.surface);
       direct.find(boundary.surface, hit, f.ray, f.interior);
       add(f, direct.r, direct.g, direct.b);

@@ -1,0 +1,90 @@
+package glint.render;
+
+import java.util.Arrays;
+import java.util.List;
+
+/** Looks into parts of pixels where something small may be seen; one per thread. */
+final class Aim {
+
+  /** Rays for one surface in one pixel: its outline may be wider than itself. */
+  private static final int RAYS = 4;
+
+  /** A difference to the pixel that no one needs to know of, in levels. */
+  private static final double NOTHING = 1.0 / 64;
+
+  private final CornerGrid corners;
+  private final LevelScale scale;
+  private final Probe probe;
+
+  /** The radiance of the pixel as far as it is known. */
+  private final double[] guess = new double[3];
+
+  Aim(CornerGrid corners, LevelScale scale, Probe probe) {
+    this.corners = corners;
+    this.scale = scale;
+    this.probe = probe;
+  }
+
+  /** Returns the parts of a pixel where something is seen that matters, or null. */
+  Focus look(int x, int y, List<SmallThings.Glimpse> glimpses) {
+    around(x, y, glimpses);
+    ConvexPolygon first = new ConvexPolygon();
+    ConvexPolygon second = new ConvexPolygon();
+    for (SmallThings.Glimpse each : glimpses) {
+      if (isSeen(each)) {
+        fill(each.part().area());
+        ConvexPolygon part = first.isEmpty() ? first : second;
+        part.add(each.part());
+        part.close();
+      }
+    }
+    double missing = first.isEmpty() ? 0 : missing(x, y);
+    return missing > NOTHING * NOTHING ? new Focus(first, second, guess.clone(), missing) : null;
+  }
+
+  private boolean isSeen(SmallThings.Glimpse glimpse) {
+    ConvexPolygon part = glimpse.part();
+    for (int i = 0; i < RAYS; i++) {
+      part.pick((i + 0.5) / RAYS, (0.5 + 3 * i) / RAYS % 1);
+      if (probe.trace(part.px, part.py) && probe.first() == glimpse.surface()) {
+        return true;
+      }
+    }
+    return false;
+  }
+
+  /** Lets the last ray's radiance fill an area of the pixel. */
+  private void fill(double area) {
+    guess[0] += area * (probe.r() - guess[0]);
+    guess[1] += area * (probe.g() - guess[1]);
+    guess[2] += area * (probe.b() - guess[2]);
+  }
+
+  /** Returns by how much the mean of a pixel's corners is off the guess: squared, in levels². */
+  private double missing(int x, int y) {
+    double sum = 0;
+    for (int channel = 0; channel < 3; channel++) {
+      sum += scale.squaredDifference(guess[channel], corners.mean(x, y, channel));
+    }
+    return sum / 3;
+  }
+
+  /** Begins with the mean of the corners of a pixel where nothing small is; of all if there is. */
+  private void around(int x, int y, List<SmallThings.Glimpse> glimpses) {
+    Arrays.fill(guess, 0);
+    int count = 0;
+    for (int i = 0; i < 4; i++) {
+      int column = x + (i & 1);
+      int row = y + (i >> 1);
+      if (glimpses.stream().noneMatch(each -> each.part().contains(column, row))) {
+        count++;
+        for (int channel = 0; channel < 3; channel++) {
+          guess[channel] += corners.rgb[3 * (row * corners.stride + column) + channel];
+        }
+      }
+    }
+    for (int channel = 0; channel < 3; channel++) {
+      guess[channel] = count == 0 ? corners.mean(x, y, channel) : guess[channel] / count;
+    }
+  }
+}
