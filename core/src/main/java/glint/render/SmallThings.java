@@ -18,7 +18,8 @@ import java.util.TreeMap;
  * <p>Every convex surface, and every triangle of a mesh, is projected onto the image. A part of a
  * pixel that it covers is such a place if no corner of the pixel lies in it, or if all of the
  * surface is less than a pixel wide. Of a mesh, whose triangles are small anyway, no corner of the
- * pixel may see it, or all corners of no pixel around. Whether anything is really seen there is for a ray to find out.
+ * pixel may see it, or all corners of no pixel around. Whether anything is really seen there is for
+ * a ray to find out.
  */
 final class SmallThings {
 
