@@ -209,7 +209,7 @@ public final class Mesh implements Surface {
   }
 
   /** Returns one coordinate, 0 to 2, of a corner, 0 to 2, of a triangle. */
-  double coordinate(int triangle, int corner, int axis) {
+  public double coordinate(int triangle, int corner, int axis) {
     return points[3 * corners[3 * triangle + corner] + axis];
   }
 }

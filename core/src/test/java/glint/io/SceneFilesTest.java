@@ -45,15 +45,12 @@ class SceneFilesTest {
 
   @Test
   void otherNamesAreRefused() {
-    assertEquals(
-        List.of("m/cow.obj: this version of Glint cannot read OBJ models yet"),
-        problems(utf8(""), "m/cow.obj"));
     for (String name : List.of("a.json", "a", "yaml", "a.yaml.bak", "")) {
       assertEquals(
           List.of(
               name
                   + ": unknown kind of file: scene files end in .yaml or .yml, or in .txt if they"
-                  + " are in the CS 315 format"),
+                  + " are in the CS 315 format; models end in .obj"),
           problems(utf8(YAML), name));
     }
   }

@@ -18,7 +18,7 @@ final class CheckCommand implements Callable<Integer> {
 
   @Spec private CommandSpec spec;
 
-  @Parameters(paramLabel = "FILE", arity = "1..*", description = "Scene files.")
+  @Parameters(paramLabel = "FILE", arity = "1..*", description = "Scene files or models.")
   private List<Path> files;
 
   @Override

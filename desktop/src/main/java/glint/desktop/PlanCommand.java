@@ -25,7 +25,7 @@ final class PlanCommand implements Callable<Integer> {
 
   @Mixin private SceneFilter filter;
 
-  @Parameters(paramLabel = "FILE", description = "A scene file.")
+  @Parameters(paramLabel = "FILE", description = "A scene file or a model.")
   private Path file;
 
   @Override

@@ -27,7 +27,7 @@ final class RenderCommand implements Callable<Integer> {
 
   @Mixin private RenderOptions options;
 
-  @Parameters(paramLabel = "FILE", arity = "1..*", description = "Scene files.")
+  @Parameters(paramLabel = "FILE", arity = "1..*", description = "Scene files or models.")
   private List<Path> files;
 
   @Override

@@ -47,7 +47,7 @@ final class ReplayCommand implements Callable<Integer> {
 
   @Mixin private ReplayOptions options;
 
-  @Parameters(paramLabel = "FILE", description = "A scene file.")
+  @Parameters(paramLabel = "FILE", description = "A scene file or a model.")
   private Path file;
 
   @Option(

@@ -27,7 +27,7 @@ final class ReportCommand implements Callable<Integer> {
 
   @Mixin private ReportOptions options;
 
-  @Parameters(paramLabel = "FILE", arity = "1..*", description = "Scene files.")
+  @Parameters(paramLabel = "FILE", arity = "1..*", description = "Scene files or models.")
   private List<Path> files;
 
   @Override

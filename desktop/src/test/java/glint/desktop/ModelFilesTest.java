@@ -171,4 +171,26 @@ class ModelFilesTest {
     replay = Run.of("replay", file, "--scene", "with", "--pixel", "10,7", "--samples", "1");
     assertTrue(replay.out().contains("surface 0 (mesh of red, line 8)"), replay.out());
   }
+
+  @Test
+  void aModelAloneIsAScene() throws IOException {
+    Path mtl = Files.writeString(model.resolveSibling("a.mtl"), "newmtl m\nKd 1 0 0\n");
+    Files.writeString(model, "mtllib a.mtl\nusemtl m\n" + SQUARE);
+    assertEquals(model + ": 1 scene, no problems\n", Run.of("check", model).out());
+    assertTrue(Run.of("plan", model).out().startsWith("square: 640x480, 2 primitives"));
+    Object[] render = {
+      "render", model, "--out", out, "--samples", 1, "--size", "20x15", "--resume"
+    };
+    assertEquals(0, Run.of(render).exitCode());
+    assertEquals(List.of("square.png"), Run.list(out));
+    assertTrue(Run.of(render).err().contains("square: kept "));
+    Files.writeString(mtl, "newmtl m\nKd 0 1 0\n");
+    assertTrue(!Run.of(render).err().contains("square: kept "));
+
+    Files.writeString(model, "v 0 0 0\n");
+    Run empty = Run.of("render", model, "--out", out);
+    assertEquals(1, empty.exitCode());
+    assertTrue(empty.err().startsWith(model + ": holds no faces: there is nothing to be seen\n"));
+    assertTrue(Run.of("verify", model).err().contains("holds no faces"));
+  }
 }
