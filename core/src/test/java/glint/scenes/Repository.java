@@ -38,8 +38,8 @@ final class Repository {
   static List<Path> sceneFiles() {
     Path scenes = root().resolve("scenes");
     try (Stream<Path> course = Files.list(scenes.resolve("cs315"))) {
-      return Stream.concat(Stream.of(scenes.resolve("gallery.yaml")), course.sorted())
-          .collect(Collectors.toList());
+      Stream<Path> own = Stream.of("gallery.yaml", "stories.yaml").map(scenes::resolve);
+      return Stream.concat(own, course.sorted()).collect(Collectors.toList());
     } catch (IOException e) {
       throw new UncheckedIOException(e);
     }

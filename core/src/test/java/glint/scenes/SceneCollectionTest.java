@@ -24,6 +24,7 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.Arguments;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.MethodSource;
+import org.junit.jupiter.params.provider.ValueSource;
 import org.snakeyaml.engine.v2.api.Load;
 import org.snakeyaml.engine.v2.api.LoadSettings;
 import org.snakeyaml.engine.v2.schema.CoreSchema;
@@ -68,10 +69,11 @@ class SceneCollectionTest {
     assertFalse(file.scenes().isEmpty());
   }
 
-  @Test
-  void galleryIsValidByItsSchema() throws IOException {
+  @ParameterizedTest
+  @ValueSource(strings = {"gallery.yaml", "stories.yaml"})
+  void fileIsValidByItsSchema(String name) throws IOException {
     Path folder = Repository.root().resolve("scenes");
-    String text = Files.readString(folder.resolve("gallery.yaml"));
+    String text = Files.readString(folder.resolve(name));
     String named = text.substring(text.indexOf("$schema=") + 8, text.indexOf('\n'));
     String schema = Files.readString(folder.resolve(named));
     LoadSettings core = LoadSettings.builder().setSchema(new CoreSchema()).build();

@@ -1,0 +1,2 @@
+/** The models of the story scenes. */
+package glint.models;

@@ -1,0 +1,2 @@
+/** Modelling: surfaces of polygons, and the ways to make them. */
+package glint.models.shape;
