@@ -26,6 +26,8 @@ final class LightReader {
       case "ambient" -> ambient(new Fields(node, Section.AMBIENT, values));
       case "point" -> point(new Fields(node, Section.POINT, values));
       case "directional" -> directional(new Fields(node, Section.DIRECTIONAL, values));
+      case "sphere" -> sphere(new Fields(node, Section.LAMP, values));
+      case "rectangle" -> rectangle(new Fields(node, Section.RECTANGLE, values));
       default -> spot(new Fields(node, Section.SPOT, values));
     };
   }
@@ -46,6 +48,21 @@ final class LightReader {
     Vector3d direction = f.vector("direction");
     Rgb color = f.light("color");
     return f.build(() -> new Light.Directional(direction, color));
+  }
+
+  private static Light sphere(Fields f) {
+    Vector3d center = f.vector("center");
+    double radius = f.number("radius");
+    Rgb color = f.light("color");
+    return f.build(() -> new Light.Sphere(center, radius, color));
+  }
+
+  private static Light rectangle(Fields f) {
+    Vector3d corner = f.vector("corner");
+    Vector3d edge1 = f.vector("edge1");
+    Vector3d edge2 = f.vector("edge2");
+    Rgb color = f.light("color");
+    return f.build(() -> new Light.Rectangle(corner, edge1, edge2, color));
   }
 
   private static Light spot(Fields f) {

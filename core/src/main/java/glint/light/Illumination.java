@@ -3,9 +3,13 @@ package glint.light;
 import glint.color.Rgb;
 import glint.geometry.Hit;
 import glint.geometry.Ray;
+import glint.geometry.Surface;
 import glint.math.Vector3d;
+import glint.sampling.SobolSampler;
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.List;
+import java.util.Objects;
 
 /** The lights of a scene in the form that shading touches: flat arrays, and the ambient sum. */
 public final class Illumination {
@@ -14,6 +18,7 @@ public final class Illumination {
   private static final byte INVERSE_SQUARE = 1;
   private static final byte DIRECTIONAL = 2;
   private static final byte SPOT = 3;
+  private static final byte LAMP = 4;
 
   private final Rgb ambient;
   private final byte[] kind;
@@ -31,6 +36,11 @@ public final class Illumination {
 
   private final double[] cosInner;
   private final double[] cosOuter;
+
+  /** Lights with an area; null in the place of others. */
+  private final Lamp[] lamp;
+
+  private final int lamps;
 
   /** Sums up the ambient lights and flattens the others; black ones are left out. */
   public Illumination(List<Light> lights) {
@@ -53,10 +63,12 @@ public final class Illumination {
     axis = new Vector3d[n];
     cosInner = new double[n];
     cosOuter = new double[n];
+    lamp = new Lamp[n];
     for (int i = 0; i < n; i++) {
       number[i] = others.get(i);
       flatten(i, lights.get(number[i]));
     }
+    lamps = (int) Arrays.stream(lamp).filter(Objects::nonNull).count();
   }
 
   private void flatten(int i, Light light) {
@@ -74,6 +86,12 @@ public final class Illumination {
       double half = StrictMath.toRadians(s.angle() / 2);
       cosOuter[i] = StrictMath.cos(half);
       cosInner[i] = StrictMath.cos(half * (1 - s.softness()));
+    } else if (light instanceof Light.Sphere s) {
+      kind[i] = LAMP;
+      lamp[i] = new BallLamp(s.center(), s.radius());
+    } else if (light instanceof Light.Rectangle r) {
+      kind[i] = LAMP;
+      lamp[i] = new PanelLamp(r.corner(), r.edge1(), r.edge2());
     }
   }
 
@@ -87,18 +105,50 @@ public final class Illumination {
     return kind.length;
   }
 
+  /** Returns how many of them have an area. */
+  public int lamps() {
+    return lamps;
+  }
+
+  /** Returns the most radiance, in any channel, of a light that is seen. */
+  public double brightestLamp() {
+    double most = 0;
+    for (int i = 0; i < kind.length; i++) {
+      most = kind[i] == LAMP ? Math.max(most, color[i].max()) : most;
+    }
+    return most;
+  }
+
+  /** Returns what rays meet of a light, or null if it has no area. */
+  Surface shape(int i) {
+    return lamp[i] == null ? null : lamp[i].shape();
+  }
+
+  /** Returns the colour of a light. */
+  Rgb color(int i) {
+    return color[i];
+  }
+
   /** Returns the number of a light in the scene, from 0. */
   public int number(int i) {
     return number[i];
   }
 
   /**
-   * Computes what a light sends to a point, shadows aside.
+   * Computes what a light sends to a point, shadows aside; of one with an area, what a random place
+   * of it stands for.
    *
+   * @param path a number of its own for the ray that has met the point
    * @return whether it sends anything; not if the light is at the point itself, or so near that the
    *     square of the distance has no full precision, where it has no direction
    */
-  public boolean at(int i, Hit hit, LightSample out) {
+  public boolean at(int i, Hit hit, SobolSampler numbers, long path, LightSample out) {
+    if (kind[i] == LAMP) {
+      numbers.draw(path + i);
+      double strength = lamp[i].sample(hit, numbers, out);
+      out.shine(color[i], strength);
+      return strength > 0;
+    }
     Vector3d w = where[i];
     Rgb c = color[i];
     if (kind[i] == DIRECTIONAL) {
@@ -139,9 +189,13 @@ public final class Illumination {
   /**
    * Sets {@code ray} to the shadow ray from a hit to a light.
    *
+   * @param sample what {@link #at} found
    * @return the last parameter before the light
    */
-  public double shadowRay(int i, Hit hit, Ray ray) {
+  public double shadowRay(int i, LightSample sample, Hit hit, Ray ray) {
+    if (kind[i] == LAMP) {
+      return hit.spawnTo(sample.px, sample.py, sample.pz, ray);
+    }
     Vector3d w = where[i];
     if (kind[i] == DIRECTIONAL) {
       hit.spawnToLight(w.x(), w.y(), w.z(), ray);
@@ -150,11 +204,19 @@ public final class Illumination {
     return hit.spawnTo(w.x(), w.y(), w.z(), ray);
   }
 
-  /** Returns an upper bound on the light, summed over lights, that any point can receive. */
+  /**
+   * Returns an upper bound on the light, summed over lights, that any point can receive. Of a
+   * lamp's a surface gives back its integral over at most a hemisphere, 2π, divided by π.
+   */
   public Rgb bound() {
     Rgb sum = Rgb.BLACK;
     for (int i = 0; i < kind.length; i++) {
-      sum = sum.plus(kind[i] == INVERSE_SQUARE ? Rgb.grey(Double.POSITIVE_INFINITY) : color[i]);
+      sum =
+          switch (kind[i]) {
+            case INVERSE_SQUARE -> sum.plus(Rgb.grey(Double.POSITIVE_INFINITY));
+            case LAMP -> sum.plus(color[i]).plus(color[i]);
+            default -> sum.plus(color[i]);
+          };
     }
     return sum;
   }

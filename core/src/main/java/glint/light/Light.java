@@ -42,6 +42,42 @@ public sealed interface Light {
   }
 
   /**
+   * A sphere that shines outwards with radiance {@code color}; no surface, so that it is in
+   * nobody's light.
+   */
+  record Sphere(Vector3d center, double radius, Rgb color) implements Light {
+    /** Checks place, size and colour. */
+    public Sphere {
+      Check.finite("center", center);
+      Check.positive("radius", radius);
+      color.requireLight("color");
+    }
+  }
+
+  /**
+   * A rectangle that shines with radiance {@code color} to the side from which its edges turn
+   * counter-clockwise, where {@code edge1 × edge2} points; from behind it is not there.
+   */
+  record Rectangle(Vector3d corner, Vector3d edge1, Vector3d edge2, Rgb color) implements Light {
+
+    /** The cosine of the edges' angle may be this much off. */
+    private static final double SQUARE = 1e-6;
+
+    /** Checks that it is a rectangle, and its colour. */
+    public Rectangle {
+      Check.finite("corner", corner);
+      Check.direction("edge1", edge1);
+      Check.direction("edge2", edge2);
+      Check.positive("edge1", edge1.length());
+      Check.positive("edge2", edge2.length());
+      if (!(Math.abs(edge1.normalized().dot(edge2.normalized())) <= SQUARE)) {
+        throw new BadValueException("edge2", "must be at a right angle to edge1");
+      }
+      color.requireLight("color");
+    }
+  }
+
+  /**
    * Light from one point within a cone around the line to {@code lookAt}.
    *
    * @param angle the full opening angle in degrees, more than 0 and at most 180

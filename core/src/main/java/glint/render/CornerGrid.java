@@ -25,6 +25,9 @@ final class CornerGrid {
   /** Where in its images each corner's ray looked, in their pixels; empty if there are none. */
   private final float[] image;
 
+  /** Whether the ray, or one that came of it, was a random one of many. */
+  final boolean[] random;
+
   /** A bound on the radiance left out. */
   final float[] cut;
 
@@ -39,6 +42,7 @@ final class CornerGrid {
     signature = new long[stride * rows];
     first = new int[stride * rows];
     rgb = new double[3 * stride * rows];
+    random = new boolean[stride * rows];
     cut = new float[stride * rows];
     image = new float[images ? 2 * stride * rows : 0];
   }
@@ -49,6 +53,7 @@ final class CornerGrid {
     boolean finite = probe.trace(x, y);
     signature[at] = finite ? probe.signature() : at;
     first[at] = probe.first();
+    random[at] = probe.isRandom();
     rgb[3 * at] = finite ? probe.r() : 0;
     rgb[3 * at + 1] = finite ? probe.g() : 0;
     rgb[3 * at + 2] = finite ? probe.b() : 0;
@@ -81,6 +86,13 @@ final class CornerGrid {
     int a = 3 * (y * stride + x) + channel;
     int c = a + 3 * stride;
     return 0.25 * (rgb[a] + rgb[a + 3] + rgb[c] + rgb[c + 3]);
+  }
+
+  /** Returns whether one ray does not tell all at a corner of a pixel. */
+  boolean isRandom(int x, int y) {
+    int a = y * stride + x;
+    int c = a + stride;
+    return random[a] || random[a + 1] || random[c] || random[c + 1];
   }
 
   /**

@@ -28,6 +28,11 @@ final class Focus {
 
   private final int[] counts;
 
+  /** The place, in the image, of the last sample. */
+  private double placeX;
+
+  private double placeY;
+
   /** What share of what is missing, squared, the first guess may be wrong by. */
   private static final double DOUBT = 0.03;
 
@@ -69,10 +74,10 @@ final class Focus {
   }
 
   /** Takes a sample of a pixel; those that follow each other go into different strata. */
-  boolean sample(Probe probe, SobolSampler places, int x, int y, int number) {
+  boolean sample(Probe probe, int x, int y, int number) {
     int stratum = number % areas.length;
-    place(places, x, y, stratum);
-    if (!probe.trace(places.x, places.y)) {
+    place(probe, x, y, stratum);
+    if (!probe.traceSample(placeX, placeY)) {
       return false;
     }
     counts[stratum]++;
@@ -82,21 +87,20 @@ final class Focus {
     return true;
   }
 
-  /** Moves the sampler to its next place within a stratum. */
-  private void place(SobolSampler places, int x, int y, int stratum) {
+  /** Turns to the next sample of a stratum, and to its place. */
+  private void place(Probe probe, int x, int y, int stratum) {
     while (true) {
-      places.sample(drawn[stratum]++);
-      if (stratum == 0) {
-        places.x += x;
-        places.y += y;
-      } else {
+      probe.turn(drawn[stratum]++);
+      placeX = x + probe.placeX();
+      placeY = y + probe.placeY();
+      if (stratum > 0) {
         ConvexPolygon part = stratum == 1 ? first : second;
-        part.pick(places.x, places.y);
-        places.x = part.px;
-        places.y = part.py;
+        part.pick(probe.placeX(), probe.placeY());
+        placeX = part.px;
+        placeY = part.py;
       }
-      boolean taken = stratum != 1 && first.contains(places.x, places.y);
-      if (!taken && (stratum != 0 || !second.contains(places.x, places.y))) {
+      boolean taken = stratum != 1 && first.contains(placeX, placeY);
+      if (!taken && (stratum != 0 || !second.contains(placeX, placeY))) {
         return;
       }
     }

@@ -8,7 +8,6 @@ final class PixelSampler {
 
   private final boolean centred;
   private final Probe probe;
-  private final SobolSampler places;
   private int column;
   private int row;
   private double r;
@@ -25,7 +24,6 @@ final class PixelSampler {
   PixelSampler(Prepared scene, RenderSettings settings, Recorder recorder) {
     centred = settings.samples() == 1;
     probe = new Probe(scene, settings, recorder);
-    places = new SobolSampler(settings.seed());
   }
 
   /** Turns to a pixel that has no samples yet. */
@@ -37,13 +35,16 @@ final class PixelSampler {
     b = 0;
     cut = 0;
     valid = 0;
-    places.pixel(x, y);
+    probe.pixel(x, y);
   }
 
-  /** Traces a sample of the pixel; returns whether it is finite and counts. */
+  /**
+   * Traces a sample of the pixel, a single one in its centre; returns whether it is finite and
+   * counts.
+   */
   boolean add(int index) {
-    place(index);
-    if (!probe.trace(column + places.x, row + places.y)) {
+    boolean counts = centred ? probe.trace(column + 0.5, row + 0.5) : probe.sample(index);
+    if (!counts) {
       return false;
     }
     r += probe.r();
@@ -52,16 +53,6 @@ final class PixelSampler {
     cut += probe.cut();
     valid++;
     return true;
-  }
-
-  /** Places a sample; a single one sits in the pixel's centre. */
-  private void place(int index) {
-    if (centred) {
-      places.x = 0.5;
-      places.y = 0.5;
-    } else {
-      places.sample(index);
-    }
   }
 
   /** Returns how many samples of the pixel count. */
@@ -89,15 +80,5 @@ final class PixelSampler {
 
   Probe probe() {
     return probe;
-  }
-
-  /** Returns where in the pixel the last sample was placed, 0 to 1 from the left. */
-  double placeX() {
-    return places.x;
-  }
-
-  /** Returns where in the pixel the last sample was placed, 0 to 1 from the top. */
-  double placeY() {
-    return places.y;
   }
 }

@@ -2,6 +2,7 @@ package glint.render;
 
 import glint.geometry.Hit;
 import glint.geometry.Ray;
+import glint.sampling.SobolSampler;
 import glint.scene.Prepared;
 import glint.scene.View;
 import glint.trace.RayCounts;
@@ -13,8 +14,11 @@ final class Probe {
 
   private final View view;
   private final Tracer tracer;
+  private final SobolSampler numbers;
   private final Ray ray = new Ray();
   private final int width;
+  private int left;
+  private int top;
   private long invalid;
   private int invalidPixel = Integer.MAX_VALUE;
   private long reported;
@@ -28,19 +32,45 @@ final class Probe {
     view = new View(scene.scene().camera(), settings.width(), settings.height());
     int stated = scene.scene().maxDepth().orElse(RenderSettings.DEFAULT_DEPTH);
     int depth = settings.maxDepth().orElse(stated);
+    numbers = new SobolSampler(settings.seed());
     tracer = new Tracer(scene, depth, settings.negligible(), recorder);
     width = settings.width();
   }
 
   /**
-   * Traces the ray through a place; returns whether its radiance is finite and counts.
+   * Traces the ray through a place, which leaves nothing to chance; returns whether its radiance is
+   * finite and counts.
    *
    * @param x columns from the left edge of the image
    * @param y rows from its top edge
    */
   boolean trace(double x, double y) {
+    numbers.centre();
+    return traceSample(x, y);
+  }
+
+  /** Turns to a pixel, whose samples are traced next. */
+  void pixel(int column, int row) {
+    left = column;
+    top = row;
+    numbers.pixel(column, row);
+  }
+
+  /** Traces a sample of the pixel, by its number; returns whether it is finite and counts. */
+  boolean sample(int number) {
+    turn(number);
+    return traceSample(left + numbers.x, top + numbers.y);
+  }
+
+  /** Turns to a sample of the pixel, by its number. */
+  void turn(int number) {
+    numbers.sample(number);
+  }
+
+  /** Traces the sample at hand through a place of the image, like {@link #trace}. */
+  boolean traceSample(double x, double y) {
     double end = view.ray(x, y, ray);
-    tracer.trace(ray, end);
+    tracer.trace(ray, end, numbers);
     boolean finite = Double.isFinite(tracer.r + tracer.g + tracer.b);
     if (!finite) {
       invalid++;
@@ -67,6 +97,21 @@ final class Probe {
   /** Returns a bound on what the last radiance leaves out, in any channel. */
   double cut() {
     return tracer.cut;
+  }
+
+  /** Returns where in its pixel the last sample was placed, 0 to 1 from the left. */
+  double placeX() {
+    return numbers.x;
+  }
+
+  /** Returns where in its pixel the last sample was placed, 0 to 1 from the top. */
+  double placeY() {
+    return numbers.y;
+  }
+
+  /** Returns whether the last ray, or one that came of it, was a random one of many. */
+  boolean isRandom() {
+    return numbers.hasDrawn();
   }
 
   /** Returns what the last ray met, in one number. */

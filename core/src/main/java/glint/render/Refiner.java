@@ -21,7 +21,6 @@ final class Refiner {
   private final Sides sides;
   private final LevelScale scale;
   private final Split split;
-  private final SobolSampler places;
   private final double[] model = new double[3];
   private final double[] before = new double[3];
   private final double[] mean = new double[3];
@@ -29,14 +28,13 @@ final class Refiner {
   final Probe probe;
   final Aim aim;
 
-  Refiner(Film film, CornerGrid corners, Sides sides, LevelScale scale, Probe probe, long seed) {
+  Refiner(Film film, CornerGrid corners, Sides sides, LevelScale scale, Probe probe) {
     this.film = film;
     this.corners = corners;
     this.sides = sides;
     this.scale = scale;
     this.probe = probe;
     split = new Split(corners, sides);
-    places = new SobolSampler(seed);
     aim = new Aim(corners, scale, probe);
   }
 
@@ -52,7 +50,7 @@ final class Refiner {
     crossings += met[a + 1] != met[c + 1] ? 1 : 0;
     int pixel = y * film.width + x;
     film.kind[pixel] = crossings == 0 ? Film.SMOOTH : crossings == 2 ? Film.SPLIT : Film.BUSY;
-    if (corners.leapsOverDetail(x, y)) {
+    if (corners.leapsOverDetail(x, y) || corners.isRandom(x, y)) {
       film.kind[pixel] = Film.BUSY;
     }
     film.contrast[pixel] = (float) corners.contrast(x, y, scale);
@@ -191,7 +189,7 @@ final class Refiner {
       split.look(x, y);
       split.place(film.edge[2 * slot], film.edge[2 * slot + 1]);
     }
-    places.pixel(x, y);
+    probe.pixel(x, y);
     int total = 1 << level;
     int half = total / 2;
     Focus focus = film.kind[pixel] == Film.BUSY ? film.focus.get(pixel) : null;
@@ -203,8 +201,7 @@ final class Refiner {
       if (i == half) {
         keepMean(slot);
       }
-      places.sample(i);
-      add(x, y, slot);
+      add(x, y, slot, i);
     }
     film.level[pixel] = (byte) level;
     return finish(x, y, slot);
@@ -215,7 +212,7 @@ final class Refiner {
       if (i == total / 2) {
         focus.mean(before);
       }
-      if (focus.sample(probe, places, x, y, i)) {
+      if (focus.sample(probe, x, y, i)) {
         film.valid[slot]++;
         film.cut[slot] += (float) probe.cut();
       }
@@ -262,8 +259,8 @@ final class Refiner {
     }
   }
 
-  private void add(int x, int y, int slot) {
-    if (!probe.trace(x + places.x, y + places.y)) {
+  private void add(int x, int y, int slot, int number) {
+    if (!probe.sample(number)) {
       return;
     }
     film.valid[slot]++;
@@ -284,8 +281,8 @@ final class Refiner {
   /** Sets {@link #model} to what the pixel's model says at the place of the sample. */
   private void predict(int x, int y) {
     byte kind = film.kind[y * film.width + x];
-    double u = places.x;
-    double v = places.y;
+    double u = probe.placeX();
+    double v = probe.placeY();
     int a = 3 * (y * corners.stride + x);
     int c = a + 3 * corners.stride;
     double[] rgb = corners.rgb;

@@ -76,7 +76,7 @@ public final class Replay {
     PixelSampler samples = new PixelSampler(scene, settings, recorder);
     samples.begin(column, row);
     samples.add(number);
-    return new Sample(number, samples.placeX(), samples.placeY(), recorder.tree());
+    return new Sample(number, samples.probe().placeX(), samples.probe().placeY(), recorder.tree());
   }
 
   /**

@@ -117,6 +117,17 @@ final class Rounds {
     do {
       crew.run(tiles.count(), (refiner, i) -> tiles.forEach(i, refiner::survey));
     } while (check());
+    sampleRandom();
+  }
+
+  /** Takes the first samples of pixels whose corners do not tell all that is to be seen there. */
+  private void sampleRandom() throws InterruptedException {
+    for (int pixel = 0; pixel < film.kind.length; pixel++) {
+      if (corners.isRandom(pixel % film.width, pixel / film.width)) {
+        sampling.choose(pixel);
+      }
+    }
+    sampling.run(Refiner.FIRST);
   }
 
   /** Looks for things that are too small or thin for the rays through corners. */

@@ -1,5 +1,6 @@
 package glint.render;
 
+import glint.sampling.SobolSampler;
 import java.util.Arrays;
 
 /**

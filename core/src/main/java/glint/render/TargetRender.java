@@ -38,7 +38,7 @@ final class TargetRender implements Method {
     List<Refiner> refiners = new ArrayList<>();
     for (int i = 0; i < settings.threads(); i++) {
       Probe probe = new Probe(scene, cutting, null);
-      refiners.add(new Refiner(film, corners, sides, scale, probe, settings.seed()));
+      refiners.add(new Refiner(film, corners, sides, scale, probe));
     }
     try (Crew<Refiner> crew = new Crew<>(refiners, cancelled)) {
       SmallThings small = new SmallThings(scene, refiners.get(0).probe.view(), corners);

@@ -277,6 +277,7 @@ public final class Prepared {
 
   private double boundRadiance() {
     double bound = Math.max(scene.background().down().max(), scene.background().up().max());
+    bound = Math.max(bound, lights.brightestLamp());
     Rgb light = lights.bound();
     for (Material m : materials) {
       Rgb most = m.texture().map(Texture::most).orElse(Rgb.WHITE);

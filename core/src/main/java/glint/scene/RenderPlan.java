@@ -20,6 +20,7 @@ public record RenderPlan(
     Decision tree,
     Decision smoothNormals,
     Decision directLight,
+    Decision lamps,
     Decision shadows,
     Decision textures,
     Decision images,
@@ -41,6 +42,7 @@ public record RenderPlan(
         tree(primitives),
         smoothNormals(scene),
         directLight(scene, lights),
+        lamps(lights),
         shadows(scene, lights),
         textures(scene),
         images(scene),
@@ -58,6 +60,7 @@ public record RenderPlan(
         new Decision("hierarchy", true, reason),
         new Decision("smooth normals", true, reason),
         new Decision("direct light", true, reason),
+        new Decision("area lights", true, reason),
         new Decision("shadow rays", true, reason),
         new Decision("textures", true, reason),
         new Decision("images", true, reason),
@@ -74,6 +77,7 @@ public record RenderPlan(
         tree,
         smoothNormals,
         directLight,
+        lamps,
         shadows,
         textures,
         images,
@@ -122,6 +126,14 @@ public record RenderPlan(
         feature,
         true,
         lights.count() + " of its lights have a place or direction; surfaces lit: " + lit);
+  }
+
+  private static Decision lamps(Illumination lights) {
+    String feature = "area lights";
+    return lights.lamps() == 0
+        ? new Decision(feature, false, "no light is a sphere or a rectangle")
+        : new Decision(
+            feature, true, "seen by rays, and a random place of each lights: " + lights.lamps());
   }
 
   private static Decision shadows(Scene scene, Illumination lights) {

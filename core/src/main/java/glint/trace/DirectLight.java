@@ -11,6 +11,7 @@ import glint.optics.Lobe;
 import glint.optics.Material;
 import glint.optics.Medium;
 import glint.optics.Texel;
+import glint.sampling.SobolSampler;
 import glint.scene.Prepared;
 import glint.scene.RenderPlan;
 import glint.trace.RayTree.Fate;
@@ -72,8 +73,10 @@ final class DirectLight {
    * @param surface its number
    * @param hit where it is met, its normal facing the ray
    * @param around the media on the ray's side
+   * @param numbers decide which places of lamps are taken
+   * @param path the number of the ray in its tree
    */
-  void find(int surface, Hit hit, Ray ray, Interior around) {
+  void find(int surface, Hit hit, Ray ray, Interior around, SobolSampler numbers, long path) {
     Material material = scene.material(surface);
     if (plan.textures().used()) {
       scene.texture(surface, hit, pattern);
@@ -93,13 +96,14 @@ final class DirectLight {
       return;
     }
     for (int i = 0; i < lights.count(); i++) {
-      answer(i, material, hit, ray, around);
+      boolean sends = lights.at(i, hit, numbers, path, light);
+      answer(i, sends, material, hit, ray, around);
     }
   }
 
   /** Adds what the surface gives for one light. */
-  private void answer(int i, Material material, Hit hit, Ray ray, Interior around) {
-    if (!lights.at(i, hit, light)) {
+  private void answer(int i, boolean sends, Material material, Hit hit, Ray ray, Interior around) {
+    if (!sends) {
       tell(i, Fate.DARK, 0, 0, 0, 0);
       return;
     }
@@ -142,7 +146,7 @@ final class DirectLight {
       return true;
     }
     counts.shadow++;
-    double end = lights.shadowRay(i, hit, shadowRay);
+    double end = lights.shadowRay(i, light, hit, shadowRay);
     if (!plan.refraction().used()) {
       boolean blocked = intersector.any(shadowRay, end, blocker);
       if (blocked && recorder != null) {

@@ -29,6 +29,9 @@ final class Frame {
    */
   double gain;
 
+  /** A number of its own in the tree of rays, from which it draws what is left to chance. */
+  long path;
+
   Frame(Prepared scene) {
     interior = new Interior(scene);
   }

@@ -8,6 +8,7 @@ import java.util.ArrayList;
 import java.util.Deque;
 import java.util.List;
 import java.util.Optional;
+import java.util.OptionalInt;
 
 /**
  * A ray, all that became of it, and the rays that came of it; immutable.
@@ -19,7 +20,9 @@ import java.util.Optional;
  * @param direction of unit length
  * @param weight the share of its radiance, at the origin, that reaches the eye
  * @param passed boundaries on its way that are not seen, hidden in another medium
- * @param met the surface that it ends at; if absent, it ends in the background
+ * @param met the surface that it ends at, if any
+ * @param lamp the number in the scene of the light that it ends at, if any; else, if no surface
+ *     either, it ends in the background
  * @param sight what it sees at its end
  * @param cuts what could come of it and is not followed
  * @param children the rays that came of it, in the order in which they were followed
@@ -34,6 +37,7 @@ public record RayTree(
     Rgb weight,
     List<Meeting> passed,
     Optional<Meeting> met,
+    OptionalInt lamp,
     Sight sight,
     List<Cut> cuts,
     List<RayTree> children) {
@@ -85,7 +89,8 @@ public record RayTree(
    *
    * @param weight the share of it that reaches the eye, absorption on the way included
    * @param pattern what a texture multiplies the surface's colour by; white without one
-   * @param own the background, or what a surface gives whether lit or not: emission, ambient light
+   * @param own the background, a light that is seen, or what a surface gives whether lit or not:
+   *     emission, ambient light
    * @param lights what each light adds; none where the surface answers none
    * @param radiance all of it
    */

@@ -78,12 +78,18 @@ public final class RayTreeText {
       line("texture " + color(sight.pattern()));
     }
     sight.lights().forEach(this::light);
-    String own = ray.met().isPresent() ? "own light " : "meets nothing: background ";
-    line(own + color(sight.own()));
+    line(source(ray) + color(sight.own()));
     line(
         "gives " + color(sight.radiance()) + " at weight " + color(sight.weight()),
         "which adds " + sight.contribution());
     ray.cuts().forEach(this::cut);
+  }
+
+  private String source(RayTree ray) {
+    if (ray.lamp().isPresent()) {
+      return "meets " + light(ray.lamp().getAsInt()) + ": ";
+    }
+    return ray.met().isPresent() ? "own light " : "meets nothing: background ";
   }
 
   private void meeting(String verb, Meeting m) {
@@ -104,8 +110,7 @@ public final class RayTreeText {
   }
 
   private void light(Lighting l) {
-    String name =
-        "light " + l.light() + " (" + word(scene.scene().lights().get(l.light()).getClass()) + ")";
+    String name = light(l.light());
     String cos = "cos " + number(l.cos());
     switch (l.fate()) {
       case LIT -> line(name + " is seen", cos, "adds " + color(l.added()));
@@ -125,6 +130,10 @@ public final class RayTreeText {
     if (l.fate() == Fate.LIT && !l.crossings().isEmpty()) {
       line("  in all " + color(l.passing()) + " of it passes");
     }
+  }
+
+  private String light(int number) {
+    return "light " + number + " (" + word(scene.scene().lights().get(number).getClass()) + ")";
   }
 
   private void cut(Cut c) {

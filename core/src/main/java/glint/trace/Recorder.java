@@ -16,6 +16,7 @@ import glint.trace.RayTree.Sight;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
+import java.util.OptionalInt;
 
 /**
  * Writes down what a tracer does with one camera ray, while it does it.
@@ -41,6 +42,7 @@ public final class Recorder {
     Rgb pattern = Rgb.WHITE;
     Rgb own;
     Sight sight;
+    OptionalInt lamp = OptionalInt.empty();
 
     Node(int number, Node parent, Kind kind, int bounces, Frame frame) {
       this.number = number;
@@ -57,7 +59,7 @@ public final class Recorder {
       int from = parent == null ? 0 : parent.number;
       Optional<Meeting> end = Optional.ofNullable(met);
       return new RayTree(
-          number, from, kind, bounces, origin, direction, weight, passed, end, sight, cuts,
+          number, from, kind, bounces, origin, direction, weight, passed, end, lamp, sight, cuts,
           children);
     }
   }
@@ -126,6 +128,11 @@ public final class Recorder {
     } else {
       last().passed.add(meeting);
     }
+  }
+
+  /** The ray ends at a light of the scene that has an area. */
+  void meets(int light) {
+    last().lamp = OptionalInt.of(light);
   }
 
   /** The boundary that the ray meets reflects a share of it. */

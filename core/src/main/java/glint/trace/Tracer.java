@@ -4,9 +4,11 @@ import glint.accel.Intersector;
 import glint.color.Rgb;
 import glint.geometry.Hit;
 import glint.geometry.Ray;
+import glint.light.LampSight;
 import glint.optics.Fresnel;
 import glint.optics.Material;
 import glint.optics.Medium;
+import glint.sampling.SobolSampler;
 import glint.scene.Background;
 import glint.scene.Prepared;
 import glint.scene.RenderPlan;
@@ -25,6 +27,15 @@ public final class Tracer {
   /** In a signature: nothing was met. */
   private static final long SKY = -1;
 
+  /** In a signature: the first light of an area was met. */
+  private static final long LAMP = -2;
+
+  /** Turns the number of a ray in its tree into that of its mirror image. */
+  private static final long MIRRORED = 0x9e3779b97f4a7c15L;
+
+  /** The same for what goes through. */
+  private static final long THROUGH = 0xc2b2ae3d27d4eb4fL;
+
   private final Prepared scene;
   private final RenderPlan plan;
   private final int maxDepth;
@@ -37,6 +48,12 @@ public final class Tracer {
   private final Signature signature = new Signature();
   private final DirectLight direct;
   private final StartMedia start;
+  private final LampSight lamps;
+
+  /** Numbers of rays that leave nothing to chance. */
+  private final SobolSampler centre = new SobolSampler(0);
+
+  private SobolSampler numbers = centre;
 
   /** Is told of every ray; null unless somebody asks. */
   private final Recorder recorder;
@@ -48,6 +65,9 @@ public final class Tracer {
 
   public double g;
   public double b;
+
+  /** Whether the ray at work ends at a lamp. */
+  private boolean shines;
 
   /** A bound, in any channel, on the radiance that the last call of {@link #trace} left out. */
   public double cut;
@@ -79,6 +99,7 @@ public final class Tracer {
     boundary = new Boundary(scene, intersector);
     direct = new DirectLight(scene, intersector, counts, signature, recorder);
     start = new StartMedia(scene, intersector);
+    lamps = new LampSight(scene.lights());
   }
 
   /**
@@ -105,12 +126,25 @@ public final class Tracer {
   }
 
   /**
-   * Traces a camera ray and leaves its radiance in {@link #r}, {@link #g} and {@link #b}.
+   * Traces a camera ray that leaves nothing to chance.
    *
    * @param ray of unit direction
    * @param tMax where the far clipping plane ends it
    */
   public void trace(Ray ray, double tMax) {
+    centre.centre();
+    trace(ray, tMax, centre);
+  }
+
+  /**
+   * Traces a camera ray and leaves its radiance in {@link #r}, {@link #g} and {@link #b}.
+   *
+   * @param ray of unit direction
+   * @param tMax where the far clipping plane ends it
+   * @param sample decides what is left to chance
+   */
+  public void trace(Ray ray, double tMax, SobolSampler sample) {
+    numbers = sample;
     r = 0;
     g = 0;
     b = 0;
@@ -123,6 +157,7 @@ public final class Tracer {
     f.begin(tMax, 1, 1, 1);
     f.gain = 1;
     f.from = ray.tMin;
+    f.path = 0;
     f.interior.clear();
     if (plan.refraction().used()) {
       start.find(ray, f.interior);
@@ -154,14 +189,13 @@ public final class Tracer {
         recorder.follows(f, level, depth, depth > bounces);
       }
       if (!advance(f)) {
-        signature.add(SKY);
-        addBackground(f);
+        addEnd(f);
         return;
       }
       signature.add(hit, boundary.surface);
       first = level + depth == 0 ? boundary.surface : first;
       Material material = scene.material(boundary.surface);
-      direct.find(boundary.surface, hit, f.ray, f.interior);
+      direct.find(boundary.surface, hit, f.ray, f.interior, numbers, f.path);
       add(f, direct.r, direct.g, direct.b);
       if (boundary.opaque && !plan.mirrors().used()) {
         return;
@@ -196,12 +230,13 @@ public final class Tracer {
     }
   }
 
-  /** Goes to the next surface that is seen; returns whether there is one. */
+  /** Goes to the next surface that is seen; returns whether there is one before any lamp. */
   private boolean advance(Frame f) {
     while (true) {
-      intersector.closest(f.ray, f.end, hit);
+      shines = plan.lamps().used() && lamps.find(f.ray, f.end);
+      intersector.closest(f.ray, shines ? lamps.t() : f.end, hit);
       if (!hit.found()) {
-        absorb(f, Double.POSITIVE_INFINITY);
+        absorb(f, shines ? lamps.t() : Double.POSITIVE_INFINITY);
         return false;
       }
       intersector.resolve(f.ray, hit);
@@ -241,6 +276,21 @@ public final class Tracer {
       f.weightB *= medium.transmission(medium.absorption().b(), t - f.from);
     }
     f.from = t;
+  }
+
+  /** Adds the lamp that a ray ends at, or the background. */
+  private void addEnd(Frame f) {
+    if (!shines) {
+      signature.add(SKY);
+      addBackground(f);
+      return;
+    }
+    signature.add(LAMP - lamps.light());
+    if (recorder != null) {
+      recorder.meets(scene.lights().number(lamps.light()));
+    }
+    Rgb radiance = lamps.radiance();
+    add(f, radiance.r(), radiance.g(), radiance.b());
   }
 
   private void addBackground(Frame f) {
@@ -296,6 +346,7 @@ public final class Tracer {
     hit.spawn(dx / length, dy / length, dz / length, 1, ray);
     f.begin(Double.POSITIVE_INFINITY, f.weightR, f.weightG, f.weightB);
     f.from = plan.refraction().used() ? -hit.lead(ray) : 0;
+    f.path = (f.path + 1) * MIRRORED;
     counts.reflection++;
   }
 
@@ -323,6 +374,7 @@ public final class Tracer {
     }
     through.interior.copy(boundary.beyond);
     through.gain = f.gain;
+    through.path = (f.path + 1) * THROUGH;
     double rest = 1 - share;
     double wr = f.weightR * transparency.r() * rest;
     double wg = f.weightG * transparency.g() * rest;

@@ -25,6 +25,7 @@ class ArchitectureTest {
   private static final List<String> LAYERS =
       List.of(
           "math",
+          "sampling",
           "color",
           "image",
           "geometry",

@@ -109,7 +109,7 @@ class YamlScenesTest {
   @Test
   void sceneHasItsOwnSettings() {
     Scene scene = scenes.get(0);
-    assertEquals("Lights: four kinds", scene.title());
+    assertEquals("Lights: six kinds", scene.title());
     assertEquals("64x48", scene.width() + "x" + scene.height());
     Projection projection = new Perspective(40.5, false, 0);
     assertEquals(Camera.of(v(1, 2, 3), v(4, 5, 6), v(0, 0, 2), projection), scene.camera());
@@ -204,7 +204,9 @@ class YamlScenesTest {
             new Light.Point(Y, Rgb.grey(2), true),
             new Light.Directional(v(0, -1, 0), Rgb.grey(0.5)),
             new Light.Spot(v(0, 5, 0), O, Rgb.grey(3), 40, 0),
-            new Light.Spot(v(0, 5, 0), X, Rgb.grey(3), 180, 0.5)),
+            new Light.Spot(v(0, 5, 0), X, Rgb.grey(3), 180, 0.5),
+            new Light.Sphere(v(0, 5, 0), 0.5, Rgb.grey(4)),
+            new Light.Rectangle(v(0, 4, 0), v(0, 0, 2), v(3, 0, 0), new Rgb(5, 4, 3))),
         scenes.get(0).lights());
   }
 

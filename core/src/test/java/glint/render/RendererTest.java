@@ -129,7 +129,9 @@ class RendererTest {
               .light(new Light.Ambient(Rgb.grey(0.2)))
               .light(new Light.Point(v(3, 6, 4), Rgb.grey(0.5), false))
               .light(new Light.Point(v(-3, 4, 3), Rgb.grey(9 * scale * scale), true))
-              .light(new Light.Directional(d(-0.2, -1, -0.4), Rgb.grey(0.2)));
+              .light(new Light.Directional(d(-0.2, -1, -0.4), Rgb.grey(0.2)))
+              .light(new Light.Sphere(v(2.2, 2.8, 2), scale * 0.4, Rgb.grey(2)))
+              .light(panel());
       for (Surface surface : surfaces()) {
         boolean pictured = surface instanceof Quad || surface instanceof Triangle;
         Material plain = surface instanceof Box ? Material.WHITE : mirror;
@@ -149,6 +151,14 @@ class RendererTest {
       scene.place(new Placement(jewel, shrunk, picture));
       scene.place(Placement.of(new Sphere(v(-0.8, -0.2, 3), scale * 0.5), glass(1.5, 1)));
       return scene.place(Placement.of(new Sphere(v(-0.4, -0.4, 3), scale * 0.4), glass(1.3, 0)));
+    }
+
+    /** Before the camera's upper edge; its front stays where it is in a mirror. */
+    private Light panel() {
+      Vector3d across = v(1.2, 0, 0);
+      Vector3d deep = v(0, 0, 0.8);
+      return new Light.Rectangle(
+          v(-1, 3, 2), mirrored ? deep : across, mirrored ? across : deep, new Rgb(3, 2, 1));
     }
 
     private Material glass(double ior, int priority) {

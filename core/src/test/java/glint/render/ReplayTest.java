@@ -10,6 +10,7 @@ import glint.geometry.Quad;
 import glint.math.BadValueException;
 import glint.math.Vector3d;
 import glint.optics.Material;
+import glint.sampling.SobolSampler;
 import glint.scene.Background;
 import glint.scene.Camera;
 import glint.scene.Placement;

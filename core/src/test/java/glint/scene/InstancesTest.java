@@ -92,6 +92,7 @@ class InstancesTest {
             plan.tree(),
             plan.smoothNormals(),
             plan.directLight(),
+            plan.lamps(),
             plan.shadows(),
             plan.textures(),
             plan.images(),

@@ -39,6 +39,7 @@ final class ClosedForms {
     forms.slabs();
     forms.floors();
     forms.lenses();
+    forms.lamps();
     return forms.values;
   }
 
@@ -294,5 +295,28 @@ final class ClosedForms {
     double r = fresnel(z, 1.5);
     double turn = 2 * (asin(y) - asin(y / 1.5));
     return r * (1 + 2 * y * z) / 2 + (1 - r) * (1 - r) * (1 - sin(turn)) / 2;
+  }
+
+  /** A19, A20. */
+  private void lamps() {
+    Rgb color = new Rgb(1, 2, 4);
+    Rgb above = color.times(0.5 * 0.25 * 0.25);
+    scene("lamp-ball-above", above, above);
+    scene("lamp-ball-aside", 0.5 * 10 * 0.8 / 25, 0.5 * 10 * 0.8 / 25);
+    scene("lamp-rectangle-above", color.times(0.5 * formFactor(1, 0.5)));
+    scene(
+        "lamp-rectangle-aside",
+        0.5 * 20 * (formFactor(2, 2) - 2 * formFactor(1, 2) + formFactor(1, 1)));
+    scene("lamp-ball-angle", 2 * (1 - 0.8));
+    scene("lamp-rectangle-angle", 4.0 / 6);
+    scene("lamp-half-hidden", 0.5 * 16 / 16 / 2);
+    scene("lamp-part-hidden", 0.5 * 2 * 4 * formFactor(0.25, 0.5));
+    scene("lamp-seen", color, new Rgb(3, 2, 1), 0.125, color.times(0.5), 0.125 / 2);
+  }
+
+  private static double formFactor(double a, double b) {
+    double p = sqrt(1 + a * a);
+    double q = sqrt(1 + b * b);
+    return (a / p * atan2(b, p) + b / q * atan2(a, q)) / (2 * PI);
   }
 }

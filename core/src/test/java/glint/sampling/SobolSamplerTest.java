@@ -1,4 +1,4 @@
-package glint.render;
+package glint.sampling;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;

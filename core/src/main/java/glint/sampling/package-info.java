@@ -1,0 +1,2 @@
+/** The numbers that decide where samples are taken. */
+package glint.sampling;
