@@ -1,6 +1,7 @@
 package glint.optics;
 
 import glint.color.Rgb;
+import glint.math.Transform;
 
 /** What a texture shows at a point, and where in its image that is; scratch. */
 public final class Texel {
@@ -25,6 +26,9 @@ public final class Texel {
   public double x;
 
   public double y;
+
+  /** Scratch: the numbers of a transform. */
+  public final double[] numbers = new double[Transform.NUMBERS];
 
   /** Shows one of the colours of a pattern. */
   public void set(Rgb color) {

@@ -3,24 +3,16 @@ package glint.scene;
 import glint.accel.Bvh;
 import glint.accel.Intersector;
 import glint.color.Rgb;
-import glint.geometry.Cylinder;
 import glint.geometry.Hit;
 import glint.geometry.Mesh;
 import glint.geometry.Primitives;
-import glint.geometry.Quad;
 import glint.geometry.Ray;
-import glint.geometry.Surface;
-import glint.geometry.Triangle;
 import glint.light.Illumination;
 import glint.math.Vector3d;
 import glint.optics.Material;
 import glint.optics.Medium;
 import glint.optics.Texel;
 import glint.optics.Texture;
-import java.util.ArrayList;
-import java.util.HashMap;
-import java.util.List;
-import java.util.Map;
 
 /**
  * A scene in the form that rays touch, and the plan of what it needs; immutable, for all workers.
@@ -34,25 +26,7 @@ public final class Prepared {
   private final RenderPlan plan;
   private final Illumination lights;
 
-  /**
-   * For each surface the number of its placement; empty if none is in parts, which are surfaces.
-   */
-  private final int[] place;
-
-  private final Material[] materials;
-
-  /** The textures of the surfaces, null where there is none; empty if no surface has one. */
-  private final TexturedSurface[] textures;
-
-  /** The different media of the scene. */
-  private final List<Medium> media = new ArrayList<>();
-
-  /** For each surface the number of its medium; empty if no light goes through any. */
-  private final int[] mediumOf;
-
-  /** For each surface that lets light through, or a part of which does, whether it is a sheet. */
-  private final boolean[] open;
-
+  private final SurfaceTable surfaces;
   private final Primitives primitives;
 
   /** The tree over the primitives, or null where the plan does without. */
@@ -64,52 +38,26 @@ public final class Prepared {
   /** The media that the eye is inside of. */
   private final int[] mediaAtEye;
 
-  private Prepared(Scene scene, Primitives primitives, Illumination lights, RenderPlan plan) {
+  private Prepared(
+      Scene scene,
+      RenderPlan plan,
+      Illumination lights,
+      SurfaceTable surfaces,
+      Primitives primitives,
+      Bvh tree) {
     this.scene = scene;
-    this.lights = lights;
     this.plan = plan;
-    int count = scene.placements().stream().mapToInt(p -> p.materials().size()).sum();
-    place = new int[count > scene.placements().size() ? count : 0];
-    materials = new Material[count];
-    textures = new TexturedSurface[plan.textures().used() ? count : 0];
-    mediumOf = new int[plan.refraction().used() ? count : 0];
-    open = new boolean[mediumOf.length];
-    Map<Mesh, Boolean> closed = new HashMap<>();
-    int first = 0;
-    for (int i = 0; i < scene.placements().size(); i++) {
-      first = number(i, first, closed);
-    }
+    this.lights = lights;
+    this.surfaces = surfaces;
+    this.primitives = primitives;
+    this.tree = tree;
     smooth = plan.smoothNormals().used();
-    tree = plan.tree().used() ? Bvh.over(primitives) : null;
-    this.primitives = tree == null ? primitives : tree.primitives();
     radianceBound = boundRadiance();
     Vector3d eye = scene.camera().position();
     mediaAtEye =
         plan.refraction().used()
-            ? new EyeMedia(this, this.primitives, intersector()).around(eye)
+            ? new EyeMedia(this, primitives, intersector()).around(eye)
             : new int[0];
-  }
-
-  /** Numbers the surfaces of a placement from the first on; returns the number after its last. */
-  private int number(int placement, int first, Map<Mesh, Boolean> closed) {
-    Placement p = scene.placements().get(placement);
-    boolean sheet = p.any(Material::isTransparent) && isSheet(p.surface(), closed);
-    int surface = first;
-    for (NamedMaterial named : p.materials()) {
-      if (place.length > 0) {
-        place[surface] = placement;
-      }
-      materials[surface] = named.material();
-      if (textures.length > 0) {
-        textures[surface] = TexturedSurface.of(p, named.material());
-      }
-      if (mediumOf.length > 0) {
-        mediumOf[surface] = mediumNumber(named.material());
-        open[surface] = sheet;
-      }
-      surface++;
-    }
-    return surface;
   }
 
   /** Flattens a scene and decides what it needs. */
@@ -118,13 +66,34 @@ public final class Prepared {
     Primitives primitives = flatten(scene, instances);
     Illumination lights = new Illumination(scene.lights());
     RenderPlan plan = RenderPlan.of(scene, instances, primitives, lights);
-    return new Prepared(scene, primitives, lights, plan);
+    return of(scene, primitives, lights, plan);
   }
 
   /** Flattens a scene under a plan that must use at least what it needs. */
   public static Prepared of(Scene scene, RenderPlan plan) {
     Primitives primitives = flatten(scene, plan.instances());
-    return new Prepared(scene, primitives, new Illumination(scene.lights()), plan);
+    return of(scene, primitives, new Illumination(scene.lights()), plan);
+  }
+
+  private static Prepared of(
+      Scene scene, Primitives primitives, Illumination lights, RenderPlan plan) {
+    SurfaceTable surfaces = new SurfaceTable(scene.placements(), plan);
+    Bvh tree = plan.tree().used() ? Bvh.over(primitives) : null;
+    Primitives ordered = tree == null ? primitives : tree.primitives();
+    return new Prepared(scene, plan, lights, surfaces, ordered, tree);
+  }
+
+  /**
+   * Returns the same for another picture of the same world, by another camera: nothing but what is
+   * at the eye is found again.
+   */
+  public Prepared seenIn(Scene picture) {
+    boolean same = picture.placements() == scene.placements() && picture.lights() == scene.lights();
+    same &= picture.background().equals(scene.background());
+    if (!same || picture.highlight() != scene.highlight()) {
+      throw new IllegalArgumentException("another world");
+    }
+    return new Prepared(picture, plan, lights, surfaces, primitives, tree);
   }
 
   private static Primitives flatten(Scene scene, Decision instances) {
@@ -160,35 +129,31 @@ public final class Prepared {
 
   /** Returns how many surfaces there are. */
   public int surfaces() {
-    return materials.length;
+    return surfaces.count();
   }
 
   /** Returns the number, in the scene, of the placement that a surface is, or is a part of. */
   public int place(int surface) {
-    return place.length > 0 ? place[surface] : surface;
+    return surfaces.place(surface);
   }
 
   /** Returns what the file calls the material of a surface, or "". */
   public String materialName(int surface) {
-    int part = 0;
-    while (part < surface && place(surface - part - 1) == place(surface)) {
-      part++;
-    }
-    return scene.placements().get(place(surface)).materials().get(part).name();
+    return surfaces.materialName(surface);
   }
 
   /** Returns the material of a surface. */
   public Material material(int surface) {
-    return materials[surface];
+    return surfaces.material(surface);
   }
 
   /** Sets a texel to what a surface's texture multiplies its colour by at a hit on it. */
   public void texture(int surface, Hit hit, Texel texel) {
-    TexturedSurface textured = textures.length > 0 ? textures[surface] : null;
+    TexturedSurface textured = surfaces.texture(surface);
     if (textured == null) {
       texel.set(Rgb.WHITE);
     } else {
-      textured.at(hit, primitives, texel);
+      textured.at(hit, primitives, surfaces.placement(surface).toWorld(), texel);
     }
   }
 
@@ -197,35 +162,17 @@ public final class Prepared {
    * none: if it is opaque or merely filters light. Not to be asked if the plan has no refraction.
    */
   public int mediumOf(int surface) {
-    return mediumOf[surface];
+    return surfaces.mediumOf(surface);
   }
 
   /** Returns whether a transparent surface is a sheet that encloses nothing by itself. */
   public boolean isOpen(int surface) {
-    return open[surface];
-  }
-
-  private static boolean isSheet(Surface shape, Map<Mesh, Boolean> closed) {
-    return shape instanceof Triangle
-        || shape instanceof Quad
-        || (shape instanceof Cylinder c && !c.capped())
-        || (shape instanceof Mesh m && !closed.computeIfAbsent(m, Mesh::isClosed));
+    return surfaces.isOpen(surface);
   }
 
   /** Returns a medium by its number; outside it is vacuum. */
   public Medium medium(int number) {
-    return number == OUTSIDE ? Medium.VACUUM : media.get(number);
-  }
-
-  private int mediumNumber(Material material) {
-    Medium interior = material.interior();
-    if (!material.isTransparent() || interior.isVacuum()) {
-      return OUTSIDE;
-    }
-    if (!media.contains(interior)) {
-      media.add(interior);
-    }
-    return media.indexOf(interior);
+    return number == OUTSIDE ? Medium.VACUUM : surfaces.medium(number);
   }
 
   /** Returns the media that the eye is inside of, outermost first; nobody may change the array. */
@@ -237,7 +184,7 @@ public final class Prepared {
   public void face(Ray ray, Hit hit) {
     hit.face(ray);
     if (smooth) {
-      Placement met = scene.placements().get(place(hit.surface));
+      Placement met = surfaces.placement(hit.surface);
       if (met.surface() instanceof Mesh mesh) {
         mesh.shade(primitives.triangle(hit), met.toWorld(), hit);
       }
@@ -279,7 +226,8 @@ public final class Prepared {
     double bound = Math.max(scene.background().down().max(), scene.background().up().max());
     bound = Math.max(bound, lights.brightestLamp());
     Rgb light = lights.bound();
-    for (Material m : materials) {
+    for (int surface = 0; surface < surfaces.count(); surface++) {
+      Material m = surfaces.material(surface);
       Rgb most = m.texture().map(Texture::most).orElse(Rgb.WHITE);
       Rgb local = m.emission().plus(m.ambient().times(most).times(lights.ambient()));
       Rgb answer = m.diffuse().times(most).plus(m.specular());

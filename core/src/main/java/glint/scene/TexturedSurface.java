@@ -3,15 +3,18 @@ package glint.scene;
 import glint.geometry.Hit;
 import glint.geometry.Mesh;
 import glint.geometry.Primitives;
+import glint.geometry.Surface;
 import glint.math.Transform;
 import glint.optics.ImageTexture;
 import glint.optics.Mapping;
-import glint.optics.Material;
 import glint.optics.Pattern;
 import glint.optics.Texel;
 import glint.optics.Texture;
 
-/** A texture on a surface: finds the place in the surface's own space, or on its mesh. */
+/**
+ * A texture on a surface, wherever that stands: finds the place in the surface's own space, or on
+ * its mesh.
+ */
 final class TexturedSurface {
 
   /**
@@ -31,41 +34,28 @@ final class TexturedSurface {
   /** The mesh that this is a part of, or null. */
   private final Mesh mesh;
 
-  /** Null where no place in the surface's own space is asked for. */
-  private final double[] toWorld;
-
-  private final double[] toObject;
-
-  /** Returns the texture of a material on a surface at its place, or null if it has none. */
-  static TexturedSurface of(Placement placement, Material material) {
-    return material.texture().map(t -> new TexturedSurface(placement, t)).orElse(null);
-  }
-
-  private TexturedSurface(Placement placement, Texture texture) {
-    mesh = placement.surface() instanceof Mesh m ? m : null;
+  TexturedSurface(Surface surface, Texture texture) {
+    mesh = surface instanceof Mesh m ? m : null;
     pattern = texture instanceof Pattern p ? p : null;
     image = texture instanceof ImageTexture i ? i : null;
-    mapping =
-        image == null ? null : image.mapping().orElseGet(() -> OwnMapping.of(placement.surface()));
-    boolean placed = pattern != null || mapping != null;
-    Transform transform = placement.toWorld();
-    toWorld = placed ? transform.rows() : null;
-    toObject = placed ? transform.inverted().rows() : null;
+    mapping = image == null ? null : image.mapping().orElseGet(() -> OwnMapping.of(surface));
   }
 
   /** Sets a texel to what is seen at a hit. */
-  void at(Hit hit, Primitives primitives, Texel texel) {
-    if (toObject == null) {
+  void at(Hit hit, Primitives primitives, Transform toWorld, Texel texel) {
+    if (pattern == null && mapping == null) {
       mesh.findTexture(primitives.triangle(hit), hit);
       texel.u = hit.textureU;
       texel.v = hit.textureV;
       image.at(texel);
       return;
     }
-    double x = object(0, hit);
-    double y = object(4, hit);
-    double z = object(8, hit);
-    int flat = mesh == null && primitives.isFlat(hit) ? axis(hit) : Pattern.SOLID;
+    double[] m = texel.numbers;
+    toWorld.copyTo(m);
+    double x = object(m, 0, hit);
+    double y = object(m, 3, hit);
+    double z = object(m, 6, hit);
+    int flat = mesh == null && primitives.isFlat(hit) ? axis(m, hit) : Pattern.SOLID;
     if (pattern != null) {
       texel.set(pattern.at(x, y, z, flat));
     } else {
@@ -74,18 +64,18 @@ final class TexturedSurface {
     }
   }
 
-  private double object(int row, Hit hit) {
-    return toObject[row] * hit.px
-        + toObject[row + 1] * hit.py
-        + toObject[row + 2] * hit.pz
-        + toObject[row + 3];
+  /** Returns a coordinate in the surface's own space, by a row of M⁻¹, of the point less T. */
+  private static double object(double[] m, int row, Hit hit) {
+    return m[row] * (hit.px - m[18])
+        + m[row + 1] * (hit.py - m[19])
+        + m[row + 2] * (hit.pz - m[20]);
   }
 
   /** Returns the axis of the surface's own space that is nearest to the normal. */
-  private int axis(Hit hit) {
-    double x = Math.abs(along(0, hit));
-    double y = Math.abs(along(1, hit)) * TIE;
-    double z = Math.abs(along(2, hit));
+  private static int axis(double[] m, Hit hit) {
+    double x = Math.abs(along(m, 9, hit));
+    double y = Math.abs(along(m, 10, hit)) * TIE;
+    double z = Math.abs(along(m, 11, hit));
     if (y >= x && y >= z) {
       return 1;
     }
@@ -93,7 +83,7 @@ final class TexturedSurface {
   }
 
   /** Returns a component of the normal there: the transposed matrix carries normals back. */
-  private double along(int column, Hit hit) {
-    return toWorld[column] * hit.nx + toWorld[4 + column] * hit.ny + toWorld[8 + column] * hit.nz;
+  private static double along(double[] m, int column, Hit hit) {
+    return m[column] * hit.nx + m[column + 3] * hit.ny + m[column + 6] * hit.nz;
   }
 }

@@ -14,6 +14,7 @@ import glint.light.Light;
 import glint.math.Quaternion;
 import glint.math.Transform;
 import glint.math.Vector3d;
+import glint.optics.Checker;
 import glint.optics.Material;
 import glint.optics.Medium;
 import glint.render.Progress;
@@ -252,19 +253,26 @@ class InstancesTest {
   /** Of the scene and of what is made of it, everything that is still held. */
   @Test
   void anInstanceTakesLessThan300Bytes() {
-    int count = 100_000;
-    Mesh mesh = tetrahedron(true);
+    Material checked = Material.WHITE.textured(new Checker(0.5, Rgb.BLACK, Rgb.WHITE));
+    NamedMaterial bark = new NamedMaterial("bark", checked);
+    assertLight(tetrahedron(true), List.of(new NamedMaterial("bark", GLASS)));
+    assertLight(
+        tetrahedron(false).inParts(new int[] {0, 3}, new int[] {0, 1}), List.of(bark, bark));
+  }
+
+  private static void assertLight(Mesh mesh, List<NamedMaterial> materials) {
+    int count = 50_000;
     List<Object> kept = new ArrayList<>();
     long before = heap();
-    kept.add(forest(mesh, count, kept));
+    kept.add(forest(mesh, materials, count, kept));
     long bytes = heap() - before;
     assertTrue(bytes < 300L * count, (double) bytes / count + " bytes an instance");
     assertTrue(kept.size() == 2);
   }
 
-  private static Prepared forest(Mesh mesh, int count, List<Object> kept) {
+  private static Prepared forest(
+      Mesh mesh, List<NamedMaterial> materials, int count, List<Object> kept) {
     Random r = new Random(1);
-    List<NamedMaterial> material = List.of(new NamedMaterial("bark", Material.WHITE));
     Scene.Builder scene = scene(8);
     for (int i = 0; i < count; i++) {
       Vector3d at = v(r.nextDouble(), 0, r.nextDouble()).times(StrictMath.sqrt(count));
@@ -272,7 +280,7 @@ class InstancesTest {
           Transform.scale(v(0.4, 0.5 + r.nextDouble(), 0.4))
               .then(Transform.rotate(Quaternion.aboutAxis(v(0, 1, 0), 360 * r.nextDouble())))
               .then(Transform.translate(at));
-      scene.place(new Placement(mesh, place, material, i));
+      scene.place(new Placement(mesh, place, materials, i));
     }
     Scene built = scene.build();
     kept.add(built);

@@ -1,17 +1,28 @@
 package glint.scene;
 
+import static org.junit.jupiter.api.Assertions.assertArrayEquals;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertSame;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import glint.color.Rgb;
+import glint.geometry.Sphere;
+import glint.light.Light;
 import glint.math.BadValueException;
 import glint.math.Quaternion;
 import glint.math.Rounding;
 import glint.math.Transform;
 import glint.math.Vector3d;
+import glint.optics.Material;
+import glint.optics.Medium;
+import glint.render.Progress;
+import glint.render.RenderSettings;
+import glint.render.Renderer;
 import java.util.List;
 import java.util.Optional;
+import java.util.OptionalInt;
+import java.util.Set;
 import org.junit.jupiter.api.Test;
 
 class TurntableTest {
@@ -90,5 +101,41 @@ class TurntableTest {
             .camera(camera())
             .turntable(new Turntable(2, Y, 360, Optional.empty()));
     assertEquals("name", assertThrows(BadValueException.class, scene::build).field());
+  }
+
+  /** The eye goes into a glass ball and out of it again, and the world is built but once. */
+  @Test
+  void framesShareTheirWorld() {
+    Medium glass = new Medium(1.5, Rgb.BLACK, 0);
+    Material clear =
+        new Material(Rgb.BLACK, Rgb.BLACK, Rgb.BLACK, 1, Rgb.BLACK, Rgb.BLACK, Rgb.WHITE, glass);
+    Scene.Builder scene =
+        new Scene.Builder("top")
+            .size(16, 12)
+            .camera(camera())
+            .background(new Background(Rgb.BLACK, Rgb.WHITE))
+            .turntable(new Turntable(4, Y, 360, Optional.empty()))
+            .place(Placement.of(new Sphere(v(6, 2, 3), 1), clear));
+    for (int i = 0; i < 12; i++) {
+      scene.place(Placement.of(new Sphere(v(i, -2, 0), 1), Material.WHITE));
+    }
+    List<Scene> frames = scene.build().frames();
+    Prepared first = Prepared.of(frames.get(0));
+    assertEquals(0, first.mediaAtEye().length);
+    for (int i = 1; i < 4; i++) {
+      Prepared shared = first.seenIn(frames.get(i));
+      Prepared own = Prepared.of(frames.get(i));
+      assertEquals(i == 1 ? 1 : 0, shared.mediaAtEye().length);
+      assertSame(first.primitives(), shared.primitives());
+      assertArrayEquals(pixels(own), pixels(shared));
+    }
+    Scene other = scene.light(new Light.Ambient(Rgb.WHITE)).build();
+    assertThrows(IllegalArgumentException.class, () -> first.seenIn(other));
+  }
+
+  private static double[] pixels(Prepared scene) {
+    RenderSettings settings =
+        new RenderSettings(16, 12, 1, 0, OptionalInt.empty(), 1, 32, Set.of());
+    return new Renderer(scene, settings).render(Progress.NONE).image().rgb();
   }
 }

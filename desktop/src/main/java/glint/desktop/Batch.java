@@ -34,9 +34,9 @@ final class Batch {
     Inputs inputs = Inputs.read(paths, reporter.err());
     inputs.notes().forEach(reporter::note);
     inputs.problems().forEach(this::fail);
-    List<Job> jobs =
-        filter.select(inputs, this::fail).stream().flatMap(job -> job.pictures().stream()).toList();
-    UniqueNames.check(jobs, job -> OutputFiles.names(job.scene().name(), options));
+    List<Job> jobs = filter.select(inputs, this::fail);
+    List<Job> pictures = jobs.stream().flatMap(job -> job.pictures().stream()).toList();
+    UniqueNames.check(pictures, job -> OutputFiles.names(job.scene().name(), options));
     if (options.stats != null) {
       StatsFile.check(options.stats);
     }
@@ -44,18 +44,20 @@ final class Batch {
       Folders.make(options.out);
     }
     for (Job job : jobs) {
-      interrupted = interrupted || interrupt.requested();
-      if (!interrupted) {
-        run(job);
-      }
+      SceneRun.World world = new SceneRun.World();
+      job.pictures().forEach(picture -> run(picture, world));
     }
-    return end(jobs.size() + inputs.broken());
+    return end(pictures.size() + inputs.broken());
   }
 
-  private void run(Job job) {
+  private void run(Job job, SceneRun.World world) {
+    interrupted = interrupted || interrupt.requested();
+    if (interrupted) {
+      return;
+    }
     String name = job.scene().name();
     try {
-      finished.add(new SceneRun(job, options).run(reporter, interrupt));
+      finished.add(new SceneRun(job, world, options).run(reporter, interrupt));
     } catch (CancellationException e) {
       interrupted = true;
     } catch (RunException | RuntimeException | OutOfMemoryError | StackOverflowError e) {

@@ -27,10 +27,22 @@ final class SceneRun {
   private final RenderOptions options;
   private final RenderSettings settings;
   private final OutputFiles files;
+  private final World world;
+
+  /** What the pictures of one turntable have in common, once it is there. */
+  static final class World {
+    private Prepared prepared;
+
+    Prepared prepare(Scene picture) {
+      prepared = prepared == null ? Prepared.of(picture) : prepared.seenIn(picture);
+      return prepared;
+    }
+  }
 
   /** Sets up the run of a scene. */
-  SceneRun(Job job, RenderOptions options) {
+  SceneRun(Job job, World world, RenderOptions options) {
     this.job = job;
+    this.world = world;
     this.options = options;
     settings = options.settings(job.scene());
     files = OutputFiles.of(job.scene().name(), options);
@@ -58,7 +70,7 @@ final class SceneRun {
     }
 
     long began = System.nanoTime();
-    Prepared prepared = Prepared.of(job.scene());
+    Prepared prepared = world.prepare(job.scene());
     double build = secondsSince(began);
 
     Renderer renderer = new Renderer(prepared, settings);
