@@ -34,6 +34,7 @@ public final class HonestyTable {
     references = new References(folder);
     uniform = new UniformErrors(folder);
     options.put("targets", "4,2,1,0.5");
+    options.put("samples", "");
     options.put("seeds", "5");
     options.put("size", "160x120");
     options.put("scenes", "");
@@ -67,12 +68,12 @@ public final class HonestyTable {
         "| scene | target | kept | true/claimed | least | most | true | claimed | truncation"
             + " | off by | samples | most | rays | uniform | fewer rays | seconds | faster |");
     System.out.println("|---|---|---|---|---|---|---|---|---|---|---|---|---|---|---|---|---|");
-    List<String> names = List.of(options.get("scenes").split(","));
+    List<String> names = list("scenes");
     Map<String, Score> scores = new LinkedHashMap<>();
     for (String file : files) {
       score = new Score();
       for (Scene scene : Scenes.read(Path.of(file))) {
-        if (names.contains("") || names.contains(scene.name())) {
+        if (names.isEmpty() || names.contains(scene.name())) {
           measure(scene);
         }
       }
@@ -103,12 +104,20 @@ public final class HonestyTable {
         new RenderSettings(width, height, 1, 0, OptionalInt.empty(), cores, 32, Set.of());
     Prepared prepared = Prepared.of(scene);
     Reference reference = references.of(prepared, settings);
-    for (String target : options.get("targets").split(",")) {
-      measure(prepared, settings, reference, Double.parseDouble(target));
+    for (String target : list("targets")) {
+      measure(prepared, settings, reference, new Goal.Error(Double.parseDouble(target)));
+    }
+    for (String samples : list("samples")) {
+      measure(prepared, settings, reference, new Goal.Samples(Integer.parseInt(samples)));
     }
   }
 
-  private void measure(Prepared scene, RenderSettings settings, Reference reference, double target)
+  private List<String> list(String option) {
+    String values = options.get(option);
+    return values.isEmpty() ? List.of() : List.of(values.split(","));
+  }
+
+  private void measure(Prepared scene, RenderSettings settings, Reference reference, Goal goal)
       throws IOException {
     List<Claim> claims = new ArrayList<>();
     List<Errors> errors = new ArrayList<>();
@@ -118,13 +127,14 @@ public final class HonestyTable {
     int most = 0;
     double rays = 0;
     int seeds = Integer.parseInt(options.get("seeds"));
-    Goal goal = new Goal.Error(target);
     for (int seed = 0; seed < seeds; seed++) {
       RenderResult run = Race.render(scene, settings, goal, seed);
       Errors error = reference.errors(run.image());
       double claim = run.statistics().samplingError() + run.statistics().truncation();
       errors.add(error);
-      claims.add(new Claim(target, claim, error.levels()));
+      claims.add(
+          new Claim(
+              goal instanceof Goal.Error asked ? asked.levels() : claim, claim, error.levels()));
       claimed += claim / seeds;
       truncation += run.statistics().truncation() / seeds;
       samples += run.statistics().meanSamples() / seeds;
@@ -132,7 +142,10 @@ public final class HonestyTable {
       rays += (double) run.statistics().rays().total() / seeds;
     }
     double actual = Errors.together(errors).levels();
-    UniformErrors.Need need = uniform.need(scene, settings, reference, actual);
+    UniformErrors.Need need =
+        goal instanceof Goal.Samples
+            ? new UniformErrors.Need(most, rays, true)
+            : uniform.need(scene, settings, reference, actual);
     Race race = new Race(scene, settings, goal);
     race.run(Double.parseDouble(options.get("time")));
     double faster = need.samples() * race.sampleSeconds() / race.targetSeconds();
@@ -143,7 +156,9 @@ public final class HonestyTable {
         "| %s | %s | %.0f %% | %.2f | %.2f | %.2f | %.3f | %.3f | %.4f | %.3f | %.2f | %d | %.2f M"
             + " | %s%d | %.2f | %s | %s |%n",
         scene.scene().name(),
-        Double.toString(target).replace(".0", ""),
+        goal instanceof Goal.Samples fixed
+            ? fixed.count() + " samples"
+            : ((Goal.Error) goal).levels(),
         100 * honesty.kept(),
         honesty.ratio().median(),
         honesty.ratio().min(),

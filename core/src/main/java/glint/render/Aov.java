@@ -12,6 +12,6 @@ public enum Aov {
   ID,
   /** The camera rays that the pixel took. */
   SAMPLES,
-  /** The estimate of the pixel's RMS error, in display levels; 0 where none is made. */
+  /** The estimate of the pixel's RMS error, in display levels. */
   ERROR
 }

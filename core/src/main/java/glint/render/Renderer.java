@@ -39,7 +39,7 @@ public final class Renderer {
     Method method =
         settings.goal() instanceof Goal.Error goal
             ? new TargetRender(scene, settings, goal, image, aovs)
-            : new UniformRender(scene, settings, image, () -> new Looker(scene, aovs));
+            : new UniformRender(scene, settings, image, aovs);
     Traced traced;
     try {
       traced = method.run(progress, () -> cancelled);

@@ -14,8 +14,7 @@ import glint.trace.RayCounts;
  * @param invalid samples that were NaN or infinite; they are left out of their pixel's mean
  * @param invalidPixel the number, in row order, of the first pixel that has such a sample, if any
  * @param clipped pixels with a channel above display white
- * @param samplingError the estimate of the image's RMS error by sampling, in display levels; NaN if
- *     none was made
+ * @param samplingError the estimate of the image's RMS error by sampling, in display levels
  * @param truncation a bound on the image's RMS error by bounces not followed, in display levels
  * @param renderSeconds wall time of tracing alone
  * @param sha256 hash of the linear image: its doubles, big-endian, in row order, in hex

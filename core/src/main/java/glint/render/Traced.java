@@ -8,7 +8,7 @@ import glint.trace.RayCounts;
  * @param invalid samples that were NaN or infinite
  * @param invalidPixel the first pixel with such a sample, if any
  * @param cut for every pixel a bound on the radiance that was not followed, any channel
- * @param samplingError the estimate of the error by sampling, in levels; NaN if there is none
+ * @param samplingError the estimate of the error by sampling, in levels
  */
 record Traced(
     RayCounts rays,

@@ -7,12 +7,15 @@ import java.util.function.BooleanSupplier;
 /** Everything that one thread needs to sample pixels, made once and used for every tile. */
 final class Worker {
 
-  private final int samples;
   private final Image image;
   private final double[] cut;
   private final Looker looker;
   private final BooleanSupplier cancelled;
   private final PixelSampler sampler;
+  private final Settling settling;
+  private final int samples;
+  private int taken;
+  private final double[] levels = new double[3];
 
   /**
    * Sets up a worker.
@@ -24,8 +27,10 @@ final class Worker {
       RenderSettings settings,
       Image image,
       double[] cut,
+      Settling settling,
       Looker looker,
       BooleanSupplier cancelled) {
+    this.settling = settling;
     samples = settings.samples();
     this.image = image;
     this.cut = cut;
@@ -44,16 +49,29 @@ final class Worker {
    */
   void pixel(int x, int y) {
     sampler.begin(x, y);
-    for (int i = 0; i < samples; i++) {
-      if (cancelled.getAsBoolean()) {
-        return;
+    taken = 0;
+    int pixel = y * image.width() + x;
+    if (settling.isNoted(pixel)) {
+      for (int stage = 0; stage < Settling.STAGES; stage++) {
+        sample(settling.end(stage));
+        settling.note(stage, pixel, sampler, levels);
       }
-      sampler.add(i);
+    }
+    sample(samples);
+    if (cancelled.getAsBoolean()) {
+      return;
     }
     if (sampler.valid() > 0) {
       image.set(x, y, sampler.r(), sampler.g(), sampler.b());
-      cut[y * image.width() + x] = sampler.cut();
+      cut[pixel] = sampler.cut();
     }
     looker.look(sampler.probe(), x, y);
+  }
+
+  /** Takes samples of the pixel until it has had so many. */
+  private void sample(int end) {
+    for (; taken < end && !cancelled.getAsBoolean(); taken++) {
+      sampler.add(taken);
+    }
   }
 }

@@ -19,12 +19,14 @@ class AllocationTest {
     Prepared scene = Prepared.of(new RendererTest.World(1, false).scene().build());
     RenderSettings settings =
         new RenderSettings(97, 61, 8, 0, OptionalInt.empty(), 1, 32, Set.of());
+    Image image = new Image(settings.width(), settings.height());
     Worker worker =
         new Worker(
             scene,
             settings,
-            new Image(settings.width(), settings.height()),
+            image,
             new double[settings.width() * settings.height()],
+            new Settling(settings.samples(), image, scene.scene().transfer(), true),
             new Looker(scene, Map.of()),
             () -> false);
     ThreadMXBean threads = (ThreadMXBean) ManagementFactory.getThreadMXBean();

@@ -8,8 +8,8 @@ final class Memory {
   /** Three doubles. */
   private static final long BYTES_PER_PIXEL = 24;
 
-  /** Eight-bit codes, packed into an int, and a bound on what was not followed. */
-  private static final long CODE_BYTES_PER_PIXEL = 12;
+  /** Eight-bit codes, packed into an int, a bound on what was not followed, and two moves. */
+  private static final long CODE_BYTES_PER_PIXEL = 20;
 
   /** What is known of every pixel while it is refined: corners, edges, sums, estimates. */
   private static final long REFINED_BYTES_PER_PIXEL = 84;

@@ -123,9 +123,6 @@ final class RenderOptions extends CommonOptions {
       String other = maxError.isPresent() ? "--max-error" : "--time-limit";
       throw Words.wrong(command, "--samples leaves nothing to " + other + ": give one of them");
     }
-    if (aovs.contains(Aov.ERROR)) {
-      throw Words.wrong(command, "--aov error needs an estimate, which --samples does not make");
-    }
     return new Goal.Samples(samples.getAsInt());
   }
 }

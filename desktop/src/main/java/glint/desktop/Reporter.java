@@ -72,12 +72,12 @@ final class Reporter implements AutoCloseable {
   private static String quality(SceneStats s) {
     SceneStats.Samples samples = s.samples();
     SceneStats.ErrorEstimate error = s.error();
-    if (error.estimate() == null) {
-      return Figures.count(samples.min(), "sample");
-    }
     double sampling = error.estimate() - error.truncation();
     String line =
-        String.format(Locale.ROOT, "%.1f samples, error %.2g levels", samples.mean(), sampling);
+        (samples.min() == samples.max()
+                ? Figures.count(samples.min(), "sample")
+                : String.format(Locale.ROOT, "%.1f samples", samples.mean()))
+            + String.format(Locale.ROOT, ", error %.2g levels", sampling);
     boolean more = error.truncation() > TOLD * sampling;
     return more
         ? line + String.format(Locale.ROOT, " and up to %.2g of light cut off", error.truncation())

@@ -52,16 +52,15 @@ record SceneStats(
   /**
    * What is known of the error.
    *
-   * @param estimate by sampling and by truncation together; null if there is none
+   * @param estimate by sampling and by truncation together; null where files hold no record
    * @param target what was accepted; null if a number of samples, or only a time, was given
    * @param truncation what bounces not followed can add at most
    */
   record ErrorEstimate(Double estimate, Double target, Double truncation, String unit) {
     static ErrorEstimate of(Goal goal, Statistics s) {
-      double sum = s.samplingError() + s.truncation();
       boolean aims = goal instanceof Goal.Error e && e.levels() > 0;
       return new ErrorEstimate(
-          Double.isNaN(sum) ? null : sum,
+          s.samplingError() + s.truncation(),
           aims ? ((Goal.Error) goal).levels() : null,
           s.truncation(),
           "levels");

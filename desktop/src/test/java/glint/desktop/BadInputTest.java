@@ -189,7 +189,6 @@ class BadInputTest {
         "--time-limit 3s --samples 4 | --samples leaves nothing to --time-limit",
         "--time-limit 30   | --time-limit must be a time such as 30s, 5m or 1h, but is '30'",
         "--time-limit 0s   | --time-limit must be a time such as 30s",
-        "--aov error --samples 4 | --aov error needs an estimate, which --samples does not make",
         "--samples 4 --samples 5 | only once",
       })
   void aWrongOptionIsExplained(String options, String expected) throws IOException {
