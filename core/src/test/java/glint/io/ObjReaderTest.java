@@ -257,6 +257,25 @@ class ObjReaderTest {
         ObjText.problems("f 1 2 3\n" + far));
   }
 
+  /** Corners on a parabola, at whole numbers: the areas of all triangles are exact. */
+  @Test
+  void convexPolygonsOfAnySizeAreTwoTrianglesLess() {
+    for (int n = 3; n < 60; n++) {
+      StringBuilder text = new StringBuilder();
+      StringBuilder face = new StringBuilder("f");
+      double area = 0;
+      for (long i = 0; i < n; i++) {
+        text.append("v ").append(i).append(" 7 ").append(i * i).append('\n');
+        face.append(' ').append(i + 1);
+        long next = (i + 1) % n;
+        area += 0.5 * (i * next * next - next * i * i);
+      }
+      Mesh mesh = ObjText.mesh(text.toString() + face);
+      assertEquals(n - 2, mesh.triangles());
+      assertEquals(Math.abs(area), MeshFacts.area(mesh), 0);
+    }
+  }
+
   @Test
   void polygonsKeepTheirSide() {
     String concave = "v 0 0 0\nv 2 0 0\nv 2 2 0\nv 1 .5 0\nf 1 2 3 4\nf 4 3 2 1\n";
