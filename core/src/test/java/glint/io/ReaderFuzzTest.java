@@ -98,6 +98,10 @@ class ReaderFuzzTest {
       checkMesh(model.mesh(), bytes.length);
       assertEquals(model.mesh().parts(), model.materials().size());
     }
+    SceneFile alone = Resources.read(bytes, "m.obj");
+    checkLines(alone.problems(), alone.notes(), 20, bytes.length);
+    assertTrue(alone.problems().isEmpty() != alone.scenes().isEmpty());
+    alone.scenes().forEach(Prepared::of);
     return model.problems().isEmpty();
   }
 
