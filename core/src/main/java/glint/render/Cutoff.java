@@ -29,7 +29,7 @@ final class Cutoff {
     double negligible = Math.min(settings.negligible(), accepted / 255);
     while (scene.radianceBound() < Double.POSITIVE_INFINITY
         && negligible > LEAST
-        && lost(new Probe(scene, settings.following(negligible), null), settings, scale)
+        && lost(new Probe(scene, settings.following(negligible)), settings, scale)
             > SHARE * accepted) {
       negligible /= 16;
     }

@@ -17,6 +17,7 @@ final class Probe {
   private final SobolSampler numbers;
   private final Ray ray = new Ray();
   private final int width;
+  private final PixelWatch watch;
   private int left;
   private int top;
   private long invalid;
@@ -29,6 +30,21 @@ final class Probe {
    * @param recorder is told of every ray, if not null
    */
   Probe(Prepared scene, RenderSettings settings, Recorder recorder) {
+    this(scene, settings, recorder, null);
+  }
+
+  /** Sets up a probe that nobody watches. */
+  Probe(Prepared scene, RenderSettings settings) {
+    this(scene, settings, null, null);
+  }
+
+  /** Sets up a probe that a watch, if not null, is told of. */
+  Probe(Prepared scene, RenderSettings settings, PixelWatch watch) {
+    this(scene, settings, watch == null ? null : watch.recorder, watch);
+  }
+
+  private Probe(Prepared scene, RenderSettings settings, Recorder recorder, PixelWatch watch) {
+    this.watch = watch;
     view = new View(scene.scene().camera(), settings.width(), settings.height());
     int stated = scene.scene().maxDepth().orElse(RenderSettings.DEFAULT_DEPTH);
     int depth = settings.maxDepth().orElse(stated);
@@ -70,7 +86,13 @@ final class Probe {
   /** Traces the sample at hand through a place of the image, like {@link #trace}. */
   boolean traceSample(double x, double y) {
     double end = view.ray(x, y, ray);
+    if (watch != null) {
+      watch.recorder.begin();
+    }
     tracer.trace(ray, end, numbers);
+    if (watch != null) {
+      watch.saw(x, y);
+    }
     boolean finite = Double.isFinite(tracer.r + tracer.g + tracer.b);
     if (!finite) {
       invalid++;

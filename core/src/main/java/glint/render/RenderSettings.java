@@ -1,5 +1,6 @@
 package glint.render;
 
+import glint.math.BadValueException;
 import glint.math.Check;
 import glint.scene.Scene;
 import java.util.OptionalInt;
@@ -133,6 +134,19 @@ public record RenderSettings(
       return exactly.count();
     }
     throw new IllegalStateException("a render to an error has no fixed number of samples");
+  }
+
+  /**
+   * Checks that a pixel is one of the image.
+   *
+   * @throws BadValueException if it is outside
+   */
+  void requirePixel(int column, int row) {
+    if (column < 0 || column >= width || row < 0 || row >= height) {
+      String image = width + "x" + height;
+      throw new BadValueException(
+          "pixel", column + "," + row + " is outside of the image, which has " + image + " pixels");
+    }
   }
 
   /** Returns the same with other samples. */

@@ -17,10 +17,17 @@ public final class Renderer {
   private final RenderSettings settings;
   private final Image image;
   private final Map<Aov, Image> aovs = new EnumMap<>(Aov.class);
+  private final PixelWatch watch;
   private volatile boolean cancelled;
 
   /** Sets up a render; nothing runs yet. */
   public Renderer(Prepared scene, RenderSettings settings) {
+    this(scene, settings, null);
+  }
+
+  /** Sets up a render to an error, of which a pixel is watched, if not null. */
+  Renderer(Prepared scene, RenderSettings settings, PixelWatch watch) {
+    this.watch = watch;
     this.scene = scene;
     this.settings = settings;
     image = new Image(settings.width(), settings.height());
@@ -38,7 +45,7 @@ public final class Renderer {
     long began = System.nanoTime();
     Method method =
         settings.goal() instanceof Goal.Error goal
-            ? new TargetRender(scene, settings, goal, image, aovs)
+            ? new TargetRender(scene, settings, goal, image, aovs, watch)
             : new UniformRender(scene, settings, image, aovs);
     Traced traced;
     try {

@@ -46,11 +46,7 @@ public final class Replay {
     this.settings = settings;
     this.column = column;
     this.row = row;
-    if (column < 0 || column >= settings.width() || row < 0 || row >= settings.height()) {
-      String image = settings.width() + "x" + settings.height();
-      throw new BadValueException(
-          "pixel", column + "," + row + " is outside of the image, which has " + image + " pixels");
-    }
+    settings.requirePixel(column, row);
     PixelSampler samples = new PixelSampler(scene, settings, null);
     samples.begin(column, row);
     for (int i = 0; i < settings.samples(); i++) {

@@ -15,12 +15,19 @@ final class TargetRender implements Method {
   private final RenderSettings settings;
   private final Goal.Error goal;
   private final Map<Aov, Image> aovs;
+  private final PixelWatch watch;
   private final Film film;
   private final CornerGrid corners;
   private final Sides sides;
 
   TargetRender(
-      Prepared scene, RenderSettings settings, Goal.Error goal, Image image, Map<Aov, Image> aovs) {
+      Prepared scene,
+      RenderSettings settings,
+      Goal.Error goal,
+      Image image,
+      Map<Aov, Image> aovs,
+      PixelWatch watch) {
+    this.watch = watch;
     this.scene = scene;
     this.settings = settings;
     this.goal = goal;
@@ -37,7 +44,7 @@ final class TargetRender implements Method {
     RenderSettings cutting = settings.following(Cutoff.find(scene, settings, goal.levels(), scale));
     List<Refiner> refiners = new ArrayList<>();
     for (int i = 0; i < settings.threads(); i++) {
-      Probe probe = new Probe(scene, cutting, null);
+      Probe probe = new Probe(scene, cutting, watch);
       refiners.add(new Refiner(film, corners, sides, scale, probe));
     }
     try (Crew<Refiner> crew = new Crew<>(refiners, cancelled)) {

@@ -72,6 +72,13 @@ public final class Recorder {
 
   private final List<Crossing> crossings = new ArrayList<>();
 
+  /** Forgets all, for another camera ray. */
+  public void begin() {
+    rays.clear();
+    levels.clear();
+    crossings.clear();
+  }
+
   /**
    * A ray is followed.
    *

@@ -63,11 +63,7 @@ final class RenderOptions extends CommonOptions {
       paramLabel = "E",
       description = "Stop at an estimated RMS error of E display levels (default: 1).")
   void maxError(double levels) {
-    if (!(levels > 0 && levels <= 255)) {
-      throw Words.wrong(
-          command, "--max-error must be more than 0 and at most 255, but is " + levels);
-    }
-    maxError = OptionalDouble.of(levels);
+    maxError = OptionalDouble.of(Words.levels(command, levels));
   }
 
   @Option(

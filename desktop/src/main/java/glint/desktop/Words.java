@@ -70,4 +70,12 @@ final class Words {
     double factor = text.charAt(end) == 's' ? 1 : text.charAt(end) == 'm' ? 60 : 3600;
     return factor * Double.parseDouble(text.substring(0, end));
   }
+
+  /** Returns an error that can be rendered to, or fails. */
+  static double levels(CommandSpec command, double levels) {
+    if (!(levels > 0 && levels <= 255)) {
+      throw wrong(command, "--max-error must be more than 0 and at most 255, but is " + levels);
+    }
+    return levels;
+  }
 }
