@@ -28,6 +28,14 @@ public record Checker(double size, Rgb a, Rgb b) implements Pattern {
   }
 
   @Override
+  public long cell(double x, double y, double z, int flat) {
+    long i = flat == 0 ? 0 : (long) Pattern.index(x, size);
+    long j = flat == 1 ? 0 : (long) Pattern.index(y, size);
+    long k = flat == 2 ? 0 : (long) Pattern.index(z, size);
+    return i + (j << 21) + (k << 42);
+  }
+
+  @Override
   public Rgb most() {
     return Pattern.most(a, b);
   }

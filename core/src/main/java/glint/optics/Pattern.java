@@ -21,10 +21,18 @@ public sealed interface Pattern extends Texture permits Checker, Stripes {
    */
   Rgb at(double x, double y, double z, int flat);
 
+  /** Returns a number of the cell that a point lies in: others nearby have others. */
+  long cell(double x, double y, double z, int flat);
+
   /** Returns whether a coordinate lies in a cell of an odd number. */
   static boolean isOdd(double coordinate, double size) {
-    double half = 0.5 * Math.floor(coordinate / size);
+    double half = 0.5 * index(coordinate, size);
     return half != Math.floor(half);
+  }
+
+  /** Returns the number of the cell that a coordinate lies in. */
+  static double index(double coordinate, double size) {
+    return Math.floor(coordinate / size);
   }
 
   /** Returns the larger of two colours, channel by channel. */

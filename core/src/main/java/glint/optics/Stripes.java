@@ -25,6 +25,11 @@ public record Stripes(double size, Rgb a, Rgb b) implements Pattern {
   }
 
   @Override
+  public long cell(double x, double y, double z, int flat) {
+    return (long) Pattern.index(flat == 2 ? y : z, size);
+  }
+
+  @Override
   public Rgb most() {
     return Pattern.most(a, b);
   }

@@ -15,6 +15,9 @@ public final class Texel {
   /** Whether that is of an image, and not one of the colours of a pattern. */
   public boolean isOfImage;
 
+  /** A number of the pattern's cell. */
+  public long cell;
+
   /**
    * Where the point lies on the image: 0 to 1 from left to right and from the bottom to the top.
    */
@@ -30,7 +33,13 @@ public final class Texel {
   /** Scratch: the numbers of a transform. */
   public final double[] numbers = new double[Transform.NUMBERS];
 
-  /** Shows one of the colours of a pattern. */
+  /** Shows the colour of a pattern's cell. */
+  public void set(Rgb color, long number) {
+    set(color);
+    cell = number;
+  }
+
+  /** Shows a colour. */
   public void set(Rgb color) {
     r = color.r();
     g = color.g();

@@ -74,19 +74,31 @@ final class Allocation {
     }
   }
 
+  /** Gathers what the next steps gain; none counts for more than one before it. */
   private void foresee(int pixel) {
     double variance = model.variance(pixel);
-    double rest = rest(pixel);
-    double cost = cost(pixel);
-    boolean first = film.level[pixel] == 0;
-    boolean searching = searches(pixel);
+    double searched = searches(pixel) ? film.own[pixel] - film.doubt[pixel] : 0;
+    double samples = film.samples(pixel);
+    double worth = Double.POSITIVE_INFINITY;
     for (int step = 0; step < STEPS && variance > 0; step++) {
-      double less = variance * (1 - rest);
-      gain[bin(less / cost)] += less;
-      variance *= rest;
-      cost *= searching || first ? 1 : 2;
-      rest = searching ? HALVED : DOUBLED;
-      first = false;
+      double less;
+      double cost;
+      if (searched > SEARCHED * (variance - searched)) {
+        less = searched * (1 - HALVED);
+        cost = 1;
+        searched -= less;
+      } else if (samples == 0) {
+        samples = 1 << Refiner.FIRST;
+        cost = samples;
+        less = variance * (1 - SAMPLED);
+      } else {
+        cost = samples;
+        samples *= 2;
+        less = variance * (1 - DOUBLED);
+      }
+      worth = Math.min(worth, less / cost);
+      gain[bin(worth)] += less;
+      variance -= less;
     }
   }
 

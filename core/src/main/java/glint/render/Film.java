@@ -132,6 +132,30 @@ final class Film {
     return level[pixel] == 0 ? 0 : 1 << level[pixel];
   }
 
+  /**
+   * Takes the contrast around a busy pixel to be at least what the samples of its busy neighbours
+   * have found: those of its own may be all alike by chance.
+   */
+  void compare(int x, int y) {
+    int pixel = y * width + x;
+    if (kind[pixel] != BUSY || focus.containsKey(pixel)) {
+      return;
+    }
+    double sum = 0;
+    int count = 0;
+    for (int row = Math.max(0, y - 1); row <= Math.min(height - 1, y + 1); row++) {
+      for (int column = Math.max(0, x - 1); column <= Math.min(width - 1, x + 1); column++) {
+        int other = row * width + column;
+        if (kind[other] == BUSY && level[other] > 0 && other != pixel) {
+          sum += samples(other) * own[other];
+          count++;
+        }
+      }
+    }
+    contrast[pixel] =
+        count == 0 ? contrast[pixel] : Math.max(contrast[pixel], (float) (sum / count));
+  }
+
   /** Returns whether samples of a pixel differ much from what its model says. */
   boolean foundMore(int pixel) {
     return level[pixel] > 0 && samples(pixel) * own[pixel] > FOUND;

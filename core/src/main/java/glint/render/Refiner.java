@@ -165,10 +165,13 @@ final class Refiner {
   void want(int x, int y) {
     if (split.look(x, y)) {
       int steps = split.steps();
+      int one = split.crossed(0);
+      int two = split.crossed(1);
+      boolean atCorner = sides.endsAtCorner(one) && sides.endsAtCorner(two);
       for (int i = 0; i < 2; i++) {
         int side = split.crossed(i);
         if (sides.steps[side] <= steps + 1) {
-          sides.want(side);
+          sides.want(side, atCorner);
         }
       }
     }

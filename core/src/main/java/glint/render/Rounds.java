@@ -72,6 +72,7 @@ final class Rounds {
    */
   double run(double levels, long deadline) throws InterruptedException {
     begin();
+    sampleBusy();
     int audits = 0;
     for (int round = 0; ; round++) {
       estimate();
@@ -179,6 +180,18 @@ final class Rounds {
     return any;
   }
 
+  /**
+   * Samples pixels of which nothing is known: what their corners show may be all alike by chance.
+   */
+  private void sampleBusy() throws InterruptedException {
+    for (int pixel = 0; pixel < film.kind.length; pixel++) {
+      if (film.kind[pixel] == Film.BUSY && !film.focus.containsKey(pixel)) {
+        sampling.choose(pixel);
+      }
+    }
+    sampling.run(Refiner.FIRST);
+  }
+
   /** Estimates anew what can have changed: pixels without samples. */
   private void estimate() throws InterruptedException {
     crew.run(
@@ -189,6 +202,8 @@ final class Rounds {
                 (x, y) -> {
                   if (film.level[y * film.width + x] == 0) {
                     refiner.estimate(x, y);
+                  } else {
+                    film.compare(x, y);
                   }
                 }));
   }

@@ -8,7 +8,9 @@ import java.util.Arrays;
  * shared by the two pixels beside a side.
  *
  * <p>A bracket is divided near its middle, at a place that depends on the side: an edge that runs
- * along a row of pixels would be wrong by the same amount in all of them otherwise.
+ * along a row of pixels would be wrong by the same amount in all of them otherwise. An edge that
+ * runs just along corners is at the very end of its sides: next to there they are divided if both
+ * brackets of a pixel say that it may be so.
  *
  * <p>Horizontal sides come first: that from corner (x, y) to (x + 1, y) is number {@code y width +
  * x}. Then the vertical ones, from (x, y) to (x, y + 1).
@@ -20,6 +22,9 @@ final class Sides {
 
   /** Where brackets are divided: from this share of their length up to one less it. */
   private static final double LEAST_SHARE = 0.35;
+
+  /** How near to a corner that is. */
+  private static final float BESIDE_CORNER = 0x1p-12f;
 
   private final CornerGrid corners;
   private final int width;
@@ -37,6 +42,9 @@ final class Sides {
   /** Sides whose brackets are divided next. */
   private final boolean[] wanted;
 
+  /** Those of them that are divided beside a corner. */
+  private final boolean[] besideCorner;
+
   /** Makes the sides of a grid, nothing known of any. */
   Sides(CornerGrid corners, long seed) {
     this.seed = SobolSampler.mix(seed);
@@ -49,6 +57,7 @@ final class Sides {
     high = new float[count];
     Arrays.fill(high, 1);
     wanted = new boolean[count];
+    besideCorner = new boolean[count];
   }
 
   int top(int x, int y) {
@@ -67,9 +76,15 @@ final class Sides {
     return left(x + 1, y);
   }
 
-  /** Asks for a side's bracket to be divided. */
-  void want(int side) {
+  /** Asks for a side's bracket to be divided, perhaps beside the corner that it ends at. */
+  void want(int side, boolean atCorner) {
     wanted[side] = true;
+    besideCorner[side] |= atCorner;
+  }
+
+  /** Returns whether a bracket that was divided a few times still ends at a corner. */
+  boolean endsAtCorner(int side) {
+    return steps[side] >= 2 && (low[side] == 0 || high[side] == 1);
   }
 
   /** Returns the sides that were asked for, in order, and forgets that they were. */
@@ -123,6 +138,10 @@ final class Sides {
   }
 
   private float place(int side) {
+    if (besideCorner[side]) {
+      besideCorner[side] = false;
+      return low[side] == 0 ? BESIDE_CORNER : 1 - BESIDE_CORNER;
+    }
     long hash = SobolSampler.mix(seed ^ ((long) side << 8 | steps[side]));
     double share = LEAST_SHARE + (1 - 2 * LEAST_SHARE) * (hash >>> 11) * 0x1p-53;
     return (float) (low[side] + share * (high[side] - low[side]));

@@ -151,7 +151,7 @@ public final class Prepared {
   public void texture(int surface, Hit hit, Texel texel) {
     TexturedSurface textured = surfaces.texture(surface);
     if (textured == null) {
-      texel.set(Rgb.WHITE);
+      texel.set(Rgb.WHITE, 0);
     } else {
       textured.at(hit, primitives, surfaces.placement(surface).toWorld(), texel);
     }

@@ -57,7 +57,7 @@ final class TexturedSurface {
     double z = object(m, 6, hit);
     int flat = mesh == null && primitives.isFlat(hit) ? axis(m, hit) : Pattern.SOLID;
     if (pattern != null) {
-      texel.set(pattern.at(x, y, z, flat));
+      texel.set(pattern.at(x, y, z, flat), pattern.cell(x, y, z, flat));
     } else {
       mapping.find(x, y, z, flat, texel);
       image.at(texel);

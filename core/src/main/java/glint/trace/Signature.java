@@ -45,7 +45,7 @@ final class Signature {
   }
 
   /**
-   * Adds what a texture shows: one of the colours of a pattern, or a place in an image, of which
+   * Adds what a texture shows: one of the cells of a pattern, or a place in an image, of which
    * earlier ones count for less, so that none makes up for another.
    */
   void add(Texel texel) {
@@ -53,9 +53,7 @@ final class Signature {
       x = SHARE * x + texel.x;
       y = SHARE * y + texel.y;
     } else {
-      add(Double.doubleToLongBits(texel.r));
-      add(Double.doubleToLongBits(texel.g));
-      add(Double.doubleToLongBits(texel.b));
+      add(texel.cell);
     }
   }
 

@@ -6,10 +6,13 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import glint.color.Rgb;
 import glint.color.Transfer;
+import glint.geometry.Plane;
 import glint.geometry.Quad;
 import glint.geometry.Sphere;
+import glint.light.Light;
 import glint.math.Vector3d;
 import glint.optics.Material;
+import glint.optics.Stripes;
 import glint.scene.Background;
 import glint.scene.Camera;
 import glint.scene.Orthographic;
@@ -115,6 +118,49 @@ class TargetRenderTest {
     assertTrue(s.samplingError() >= together, "the image's claim has a margin for bad luck");
     assertTrue(s.samplingError() < 1.5 * together, () -> s.samplingError() + " for " + together);
     assertEquals(s.meanSamples(), rays / (SIZE * SIZE), 1e-9);
+  }
+
+  /** Edges that fall between two pixels cross no pixel, but all rays through corners there. */
+  @Test
+  void edgesJustAlongPixelsAreFoundInFull() {
+    for (int quarter = 0; quarter < 4; quarter++) {
+      Scene scene = halfPlane(quarter * Math.PI / 2, 3);
+      RenderResult result = render(scene, 2, quarter, 2, 8);
+      assertTrue(halfPlaneError(result, quarter * Math.PI / 2, 3) < 0.1, "turned by " + quarter);
+    }
+  }
+
+  /** Stripes of which the rays through corners see the even ones only, at first. */
+  @Test
+  void patternsAreNotTakenForWhatCornersSee() {
+    Material stripes =
+        new Material(Rgb.WHITE, Rgb.BLACK, Rgb.BLACK, 1, Rgb.BLACK, Rgb.BLACK)
+            .textured(new Stripes(0.5, Rgb.BLACK, Rgb.WHITE));
+    Plane wall = new Plane(new Vector3d(0, 0, -1), new Vector3d(0, 0, 1));
+    Scene scene =
+        view(SIZE).light(new Light.Ambient(Rgb.WHITE)).place(Placement.of(wall, stripes)).build();
+    RenderResult result = render(scene, 1, 4, 2, 8);
+    double sum = 0;
+    for (double v : result.image().rgb()) {
+      sum += 255 * 255 * (v - 0.5) * (v - 0.5);
+    }
+    double error = Math.sqrt(sum / result.image().rgb().length);
+    assertTrue(error <= 1, "off by " + error);
+    assertTrue(result.statistics().samplingError() >= error / 2);
+  }
+
+  /** An edge that bends more than brackets can tell, and little else: the goal is reached. */
+  @Test
+  void aBentEdgeIsNotSearchedForEver() {
+    Scene scene =
+        view(SIZE)
+            .place(Placement.of(new Sphere(new Vector3d(0.3, 0.2, 0), 2.2), glowing()))
+            .build();
+    for (double target : new double[] {1, 0.25, 0.06}) {
+      Statistics s = render(scene, target, 1, 2, 8).statistics();
+      assertTrue(s.samplingError() <= target, () -> target + ": " + s);
+      assertTrue(s.rays().camera < 300 * SIZE * SIZE, () -> s.rays().camera + " rays");
+    }
   }
 
   @Test
