@@ -44,7 +44,8 @@ final class Allocation {
   /**
    * Estimates the sum of all pixels' squared errors, and what it can hardly exceed: few pixels that
    * err much may be unlucky together. The variance of a square is at most twice that of a normal
-   * error, V² each; of the sum, 1.65 standard deviations keep it with a probability of 95 %.
+   * error, V² each; of the sum, which is skewed, 2 standard deviations keep it in 95 % of all
+   * images.
    *
    * @return the sum that will hardly be exceeded, in levels²
    */
@@ -56,7 +57,7 @@ final class Allocation {
       total += variance;
       squares += variance * variance;
     }
-    margin = total > 0 ? 1 + 1.65 * Math.sqrt(2 * squares) / total : 1;
+    margin = total > 0 ? 1 + 2 * Math.sqrt(2 * squares) / total : 1;
     return margin * total;
   }
 

@@ -167,11 +167,11 @@ final class Refiner {
       int steps = split.steps();
       int one = split.crossed(0);
       int two = split.crossed(1);
-      boolean atCorner = sides.endsAtCorner(one) && sides.endsAtCorner(two);
+      boolean both = sides.endsAtCorner(one, 2) && sides.endsAtCorner(two, 2);
       for (int i = 0; i < 2; i++) {
         int side = split.crossed(i);
         if (sides.steps[side] <= steps + 1) {
-          sides.want(side, atCorner);
+          sides.want(side, both || sides.endsAtCorner(side, 3));
         }
       }
     }

@@ -9,7 +9,7 @@ import java.util.Arrays;
  *
  * <p>A bracket is divided near its middle, at a place that depends on the side: an edge that runs
  * along a row of pixels would be wrong by the same amount in all of them otherwise. An edge that
- * runs just along corners is at the very end of its sides: next to there they are divided if both
+ * runs just along corners is at the very end of its sides: next to there they are divided if the
  * brackets of a pixel say that it may be so.
  *
  * <p>Horizontal sides come first: that from corner (x, y) to (x + 1, y) is number {@code y width +
@@ -82,9 +82,9 @@ final class Sides {
     besideCorner[side] |= atCorner;
   }
 
-  /** Returns whether a bracket that was divided a few times still ends at a corner. */
-  boolean endsAtCorner(int side) {
-    return steps[side] >= 2 && (low[side] == 0 || high[side] == 1);
+  /** Returns whether a bracket that was divided so many times still ends at a corner. */
+  boolean endsAtCorner(int side, int divided) {
+    return steps[side] >= divided && (low[side] == 0 || high[side] == 1);
   }
 
   /** Returns the sides that were asked for, in order, and forgets that they were. */
