@@ -309,7 +309,8 @@ final class Refiner {
     for (int channel = 0; channel < 3; channel++) {
       int at = Film.SLOT * slot + channel;
       double difference = film.sums[at] / count;
-      mean[channel] = film.sums[at + 6] + difference;
+      // What the model has too much of may be more than there is.
+      mean[channel] = Math.max(0, film.sums[at + 6] + difference);
       moved += scale.squaredDifference(mean[channel], before[channel]);
       double squares = film.sums[at + 3] / count - difference * difference;
       double spread = Math.sqrt(Math.max(0, squares) / (count - 1));
