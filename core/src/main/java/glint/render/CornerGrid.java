@@ -8,6 +8,9 @@ package glint.render;
  */
 final class CornerGrid {
 
+  /** From half a pixel of an image on, a side of a pixel is as likely to have a kink as not. */
+  private static final double LEAP = 0.5;
+
   /** Corners in a row. */
   final int stride;
 
@@ -65,8 +68,8 @@ final class CornerGrid {
   }
 
   /**
-   * Returns whether a pixel has sides whose ends meet the same, but in an image with more than a
-   * pixel of that between them, so that they tell nothing of what lies there.
+   * Returns whether a pixel has sides whose ends meet the same, but in an image with so much of
+   * that between them that they tell little of what lies there.
    */
   boolean leapsOverDetail(int x, int y) {
     int a = y * stride + x;
@@ -77,8 +80,8 @@ final class CornerGrid {
 
   private boolean leaps(int a, int b) {
     return signature[a] == signature[b]
-        && !(Math.abs(image[2 * a] - image[2 * b]) <= 1
-            && Math.abs(image[2 * a + 1] - image[2 * b + 1]) <= 1);
+        && !(Math.abs(image[2 * a] - image[2 * b]) <= LEAP
+            && Math.abs(image[2 * a + 1] - image[2 * b + 1]) <= LEAP);
   }
 
   /** Returns the mean radiance at the corners of a pixel, in one channel. */

@@ -16,6 +16,9 @@ final class Refiner {
   /** A step counts as so many bends: 12/√12. */
   private static final double STEP = 2 * Math.sqrt(3);
 
+  /** A contrast, in levels², that is seen. */
+  private static final double VISIBLE = 1;
+
   private final Film film;
   private final CornerGrid corners;
   private final Sides sides;
@@ -50,10 +53,12 @@ final class Refiner {
     crossings += met[a + 1] != met[c + 1] ? 1 : 0;
     int pixel = y * film.width + x;
     film.kind[pixel] = crossings == 0 ? Film.SMOOTH : crossings == 2 ? Film.SPLIT : Film.BUSY;
-    if (corners.leapsOverDetail(x, y) || corners.isRandom(x, y)) {
+    film.contrast[pixel] = (float) corners.contrast(x, y, scale);
+    // Of an image that shows no contrast, audits tell whether there is none.
+    boolean detailed = film.contrast[pixel] > VISIBLE && corners.leapsOverDetail(x, y);
+    if (detailed || corners.isRandom(x, y)) {
       film.kind[pixel] = Film.BUSY;
     }
-    film.contrast[pixel] = (float) corners.contrast(x, y, scale);
   }
 
   /** Counts the edges around a pixel. */

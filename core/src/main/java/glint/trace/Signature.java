@@ -16,8 +16,8 @@ final class Signature {
   /** Normals that differ by less belong to one flat face. */
   private static final double FACET = 0x1p10;
 
-  /** By how much less a place in an image counts than one met later; no simple ratio. */
-  private static final double SHARE = 0.618;
+  /** By how much less a place in an image counts than one met later. */
+  private static final double SHARE = 0.4;
 
   private long value;
 
@@ -45,8 +45,9 @@ final class Signature {
   }
 
   /**
-   * Adds what a texture shows: one of the cells of a pattern, or a place in an image, of which
-   * earlier ones count for less, so that none makes up for another.
+   * Adds what a texture shows: one of the cells of a pattern, or a place in an image. Of several
+   * places earlier ones count for less, so that an image and its mirror image do not make up for
+   * each other.
    */
   void add(Texel texel) {
     if (texel.isOfImage) {

@@ -47,10 +47,7 @@ final class Repository {
 
   static SceneFile read(Path file) {
     try (InputStream in = Files.newInputStream(file)) {
-      return SceneFiles.read(
-          in,
-          file.getFileName().toString(),
-          path -> Files.newInputStream(file.resolveSibling(path)));
+      return SceneFiles.read(in, file.getFileName().toString(), new FilesBeside(file));
     } catch (IOException e) {
       throw new UncheckedIOException(file.toString(), e);
     }

@@ -12,7 +12,7 @@ final class Memory {
   private static final long CODE_BYTES_PER_PIXEL = 20;
 
   /** What is known of every pixel while it is refined: corners, edges, sums, estimates. */
-  private static final long REFINED_BYTES_PER_PIXEL = 84;
+  private static final long REFINED_BYTES_PER_PIXEL = 92;
 
   private Memory() {}
 
