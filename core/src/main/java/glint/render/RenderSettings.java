@@ -149,6 +149,18 @@ public record RenderSettings(
     }
   }
 
+  /** Returns the same with another goal, seed and extra pictures. */
+  public RenderSettings aiming(Goal newGoal, long newSeed, Set<Aov> newAovs) {
+    return new RenderSettings(
+        width, height, newGoal, newSeed, maxDepth, threads, tileSize, newAovs);
+  }
+
+  /** Returns the same with a limit of bounces. */
+  public RenderSettings atDepth(int depth) {
+    return new RenderSettings(
+        width, height, goal, seed, OptionalInt.of(depth), threads, tileSize, aovs);
+  }
+
   /** Returns the same with other samples. */
   public RenderSettings sampled(int newSamples, long newSeed) {
     return new RenderSettings(

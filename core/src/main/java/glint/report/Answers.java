@@ -58,6 +58,24 @@ public record Answers(List<Expectation> expectations, Transfer transfer) impleme
         asked.aovs());
   }
 
+  /** Returns an image that is what the answers say, as a truth to compare others with. */
+  public Reference reference(Image image) {
+    return new Reference(image, origin(), uncertainty(), transfer);
+  }
+
+  /** Returns the whole image, if every pixel of that size has an answer. */
+  public Optional<Image> image(int width, int height) {
+    if (!expectations.get(0).pixel().isPresent() || expectations.size() < width * height) {
+      return Optional.empty();
+    }
+    Image image = new Image(width, height);
+    for (Expectation each : expectations) {
+      Expectation.Pixel pixel = each.pixel().get();
+      image.set(pixel.x(), pixel.y(), each.value().r(), each.value().g(), each.value().b());
+    }
+    return Optional.of(image);
+  }
+
   @Override
   public Errors errors(Image image) {
     Errors.Sum sum = new Errors.Sum(transfer);

@@ -1,13 +1,10 @@
 package glint.report;
 
-import glint.color.Transfer;
-import glint.image.Image;
 import glint.render.RenderResult;
 import glint.render.RenderSettings;
 import glint.trace.RayCounts;
 import java.util.ArrayList;
 import java.util.List;
-import java.util.Optional;
 
 /** Measures a scene with 1, 2, 4, 8, … samples of every pixel. */
 public final class Study {
@@ -19,12 +16,6 @@ public final class Study {
   private static final double WARM_UP = 1;
 
   private static final double WARM_UP_SHARE = 1 / 16.0;
-
-  /** Samples of half a reference, in units of the most that is measured, if time allows. */
-  private static final int REFERENCE_TIMES = 16;
-
-  /** The share of the time that a reference may take. */
-  private static final double REFERENCE_SHARE = 0.5;
 
   /** How much better than the error a truth must be known. */
   private static final double TRUST = 10;
@@ -57,10 +48,9 @@ public final class Study {
     this.limit = limit;
   }
 
-  /** Measures everything; without an exact truth a reference is rendered first. */
-  public Curve run(Optional<? extends Truth> exact, Transfer transfer) {
+  /** Measures everything, against an image that no sample of it is shared with. */
+  public Curve run(Truth truth) {
     warmUp();
-    Truth truth = exact.isPresent() ? exact.get() : reference(transfer);
     List<Measurement> points = new ArrayList<>();
     int samples = 1;
     while (samples <= most && (samples == 1 || used + RUNS * samples * secondsPerSample <= limit)) {
@@ -79,17 +69,6 @@ public final class Study {
       spent += seconds;
       samples = Math.min(2 * samples, most);
     }
-  }
-
-  private Truth reference(Transfer transfer) {
-    int half = Math.min(REFERENCE_TIMES * most, RenderSettings.MAX_SAMPLES);
-    while (half > 1 && 2 * half * secondsPerSample > REFERENCE_SHARE * limit) {
-      half /= 2;
-    }
-    // Seeds before those of the runs, so that no sample is shared with what is measured.
-    Image one = render(half, settings.seed() - 1).image();
-    Image two = render(half, settings.seed() - 2).image();
-    return Reference.of(one, two, "2 × " + half + " samples", transfer);
   }
 
   private Measurement measure(int samples, Truth truth) {

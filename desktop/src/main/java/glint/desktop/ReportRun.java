@@ -8,8 +8,12 @@ import glint.render.RenderSettings;
 import glint.render.Renderer;
 import glint.report.Answers;
 import glint.report.Curve;
+import glint.report.DepthStudy;
+import glint.report.LongRun;
 import glint.report.Measurement;
+import glint.report.Reference;
 import glint.report.Study;
+import glint.report.TargetStudy;
 import glint.scene.Prepared;
 import glint.scene.Scene;
 import java.io.IOException;
@@ -19,6 +23,8 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
+import java.util.Optional;
+import java.util.OptionalDouble;
 import java.util.Set;
 import java.util.concurrent.CancellationException;
 
@@ -84,12 +90,8 @@ final class ReportRun {
             interrupt.watch(renderer);
             return renderer.render(Progress.NONE);
           };
-      Study study = new Study(render, settings, options.samples, options.timeLimit);
-      Curve curve = study.run(Answers.of(scene), scene.transfer());
-      String file = job.file().toString();
-      int width = settings.width();
-      entries.add(
-          new Report.Entry(file, scene.name(), scene.title(), width, settings.height(), curve));
+      entries.add(entry(job, prepared, settings, render));
+      Curve curve = entries.get(entries.size() - 1).uniform();
       reporter.note(scene.name() + ": " + outcome(curve));
     } catch (CancellationException e) {
       throw e;
@@ -97,6 +99,41 @@ final class ReportRun {
       fail(new Failed(scene.name(), scene.name() + ": " + Reasons.of(e)));
       Reasons.trace(e, reporter.err());
     }
+  }
+
+  private Report.Entry entry(
+      Job job, Prepared prepared, RenderSettings settings, Study.Render render) {
+    Scene scene = job.scene();
+    int width = settings.width();
+    int height = settings.height();
+    Optional<Answers> answers = Answers.of(scene);
+    Reference truth =
+        answers
+            .flatMap(a -> a.image(width, height).map(image -> a.reference(image)))
+            .orElseGet(() -> LongRun.of(prepared, settings, interrupt::requested));
+    Curve curve = new Study(render, settings, options.samples, options.timeLimit).run(truth);
+    TargetStudy targets = TargetStudy.of(render, settings, truth);
+    DepthStudy depths = DepthStudy.of(render, settings, truth);
+    RenderSettings looked = settings.aiming(TargetStudy.LOOKED_AT, settings.seed(), Set.of());
+    List<String> replays =
+        targets.worst().stream()
+            .map(each -> SeeAgain.pixel(job.file(), scene, looked, each.x(), each.y()))
+            .toList();
+    OptionalDouble formula =
+        answers.isPresent()
+            ? OptionalDouble.of(answers.get().errors(truth.image()).levels())
+            : OptionalDouble.empty();
+    return new Report.Entry(
+        job.file().toString(),
+        scene.name(),
+        scene.title(),
+        width,
+        height,
+        curve,
+        targets,
+        depths,
+        replays,
+        formula);
   }
 
   private static String outcome(Curve curve) {

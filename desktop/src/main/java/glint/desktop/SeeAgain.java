@@ -3,6 +3,7 @@ package glint.desktop;
 import glint.render.Goal;
 import glint.render.RenderSettings;
 import glint.scene.Scene;
+import java.math.BigDecimal;
 import java.nio.file.Path;
 
 /** The commands, ready for a shell, that show again what a report is about. */
@@ -33,6 +34,10 @@ final class SeeAgain {
     if (settings.goal() instanceof Goal.Samples exactly
         && exactly.count() != RenderSettings.DEFAULT_SAMPLES) {
       options.append(" --samples ").append(exactly.count());
+    }
+    if (settings.goal() instanceof Goal.Error error && error.levels() > 0) {
+      BigDecimal levels = new BigDecimal(String.valueOf(error.levels())).stripTrailingZeros();
+      options.append(" --max-error ").append(levels.toPlainString());
     }
     if (settings.seed() != 0) {
       options.append(" --seed ").append(settings.seed());

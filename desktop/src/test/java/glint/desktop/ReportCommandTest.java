@@ -12,6 +12,7 @@ import java.io.StringWriter;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
+import java.util.Locale;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -22,6 +23,7 @@ class ReportCommandTest {
   private static final List<String> FILES =
       List.of(
           "speed-and-error-rays.svg",
+          "speed-and-error-reliability.svg",
           "speed-and-error-seconds.svg",
           "speed-and-error.html",
           "speed-and-error.json",
@@ -83,30 +85,49 @@ class ReportCommandTest {
 
   @Test
   void whatASceneSaysOfItsPictureIsTheTruth() throws IOException {
-    // The mean is 0.5 in truth, so that the error is what the scene is wrong by.
+    // The pixel is 0.5 in truth, so that the error is what the scene is wrong by.
     String camera = "camera: {position: [0, 0, 5], look_at: [0, 0, 0], fov: 40}\n";
-    String answer = "expect: [{mean: 0.25, tolerance: 1, depth: 3}]\n";
+    String answers =
+        "expect: [{pixel: [0, 0], value: 0.25, tolerance: 1, depth: 3, samples: 16},"
+            + " {pixel: [1, 0], value: 0.25, tolerance: 1, depth: 3, samples: 16}]\n";
     Path file = dir.resolve("a.yaml");
     Files.writeString(
         file,
-        "scenes:\n  said:\n    image: {width: 4, height: 2}\n    background: 0.5\n    "
+        "scenes:\n  said:\n    image: {width: 2, height: 1}\n    background: 0.5\n    "
             + camera
             + "    "
-            + answer
+            + answers
             + "  seen:\n    background: 0.5\n    "
             + camera);
     Run run = report(file);
     assertEquals(0, run.exitCode(), run.err());
     JsonObject said = scenes().get(0).getAsJsonObject();
-    assertEquals(4, said.get("width").getAsInt());
-    assertEquals("exact mean", said.getAsJsonObject("truth").get("origin").getAsString());
+    assertEquals(2, said.get("width").getAsInt());
+    assertEquals("2 exact pixels", said.getAsJsonObject("truth").get("origin").getAsString());
     JsonObject point =
         said.getAsJsonObject("uniform").getAsJsonArray("points").get(2).getAsJsonObject();
     assertEquals(0.25, point.getAsJsonObject("error").get("linear").getAsDouble(), 1e-15);
     JsonObject seen = scenes().get(1).getAsJsonObject();
     assertEquals(8, seen.get("width").getAsInt());
     String origin = seen.getAsJsonObject("truth").get("origin").getAsString();
-    assertTrue(origin.matches("2 × \\d+ samples"), origin);
+    assertEquals("2 × 64 to 16384 samples", origin);
+  }
+
+  @Test
+  void theCommandsOfTheWorstPixelsShowThem() throws IOException {
+    Path file = Scenes.write(dir.resolve("a.yaml"), "one");
+    assertEquals(0, report(file, "--seed", 3, "--quiet").exitCode());
+    JsonObject one = scenes().get(0).getAsJsonObject();
+    assertEquals(4, one.getAsJsonArray("targets").size());
+    JsonObject worst = one.getAsJsonArray("worst").get(0).getAsJsonObject();
+    String command = worst.get("replay").getAsString();
+    assertTrue(command.endsWith(" --size 8x6 --max-error 1 --seed 3"), command);
+    Run replay = Run.of((Object[]) command.substring("glint ".length()).split(" "));
+    assertEquals(0, replay.exitCode(), replay.err());
+    assertTrue(replay.out().contains("claimed to within"), replay.out());
+    double claimed = worst.getAsJsonObject("pixel").get("claimed").getAsDouble();
+    String within = String.format(Locale.ROOT, "claimed to within %.2g levels", claimed);
+    assertTrue(replay.out().contains(within), replay.out());
   }
 
   @Test

@@ -4,6 +4,7 @@ import glint.report.Curve;
 import glint.report.Measurement;
 import glint.report.Measurement.Cost;
 import glint.report.PowerLaw;
+import glint.report.TargetRuns;
 import java.util.DoubleSummaryStatistics;
 import java.util.List;
 import java.util.Locale;
@@ -23,8 +24,8 @@ final class Panel {
   static final String RANDOM_DASHES = "1 3";
   static final String DARK = "#222";
 
-  private static final String GREY = "#777";
-  private static final String PALE = "#e4e4e4";
+  static final String GREY = "#777";
+  static final String PALE = "#e4e4e4";
 
   /** The axes: left end, right end, top, bottom. */
   private static final int X0 = 58;
@@ -44,17 +45,23 @@ final class Panel {
   private final Svg svg;
   private final Cost cost;
   private final List<Measurement> points;
+  private final List<TargetRuns> targets;
   private final LogAxis x;
   private final LogAxis y;
 
   /** Sets up the chart of a curve that has at least one point to draw. */
-  Panel(Svg svg, Curve curve, Cost cost) {
+  Panel(Svg svg, Curve curve, List<TargetRuns> targets, Cost cost) {
     this.svg = svg;
     this.cost = cost;
     points = drawn(curve);
+    this.targets = targets.stream().filter(runs -> runs.error().levels() > Curve.NONE).toList();
     String unit = cost == Cost.SECONDS ? "s" : "";
-    x = axis(point -> point.cost(cost), power -> Numbers.prefixed(Math.pow(10, power), unit));
-    y = axis(Panel::error, Panel::plain);
+    x =
+        axis(
+            point -> point.cost(cost),
+            runs -> runs.cost(cost),
+            power -> Numbers.prefixed(Math.pow(10, power), unit));
+    y = axis(Panel::error, runs -> runs.error().levels(), Panel::plain);
   }
 
   /** Returns the points that a logarithmic axis can show. */
@@ -78,10 +85,17 @@ final class Panel {
     for (Measurement point : points) {
       svg.dot(px(point.cost(cost)), py(error(point)), MEASURED, point.trusted());
     }
+    for (TargetRuns runs : targets) {
+      svg.diamond(px(runs.cost(cost)), py(runs.error().levels()), FITTED);
+    }
   }
 
-  private LogAxis axis(ToDoubleFunction<Measurement> value, IntFunction<String> words) {
+  private LogAxis axis(
+      ToDoubleFunction<Measurement> value,
+      ToDoubleFunction<TargetRuns> other,
+      IntFunction<String> words) {
     DoubleSummaryStatistics range = points.stream().mapToDouble(value).summaryStatistics();
+    range.combine(targets.stream().mapToDouble(other).summaryStatistics());
     return LogAxis.around(range.getMin(), range.getMax(), words);
   }
 
@@ -144,7 +158,7 @@ final class Panel {
     return point.error().levels();
   }
 
-  private static String plain(int power) {
+  static String plain(int power) {
     return power < 0 ? "0." + "0".repeat(-power - 1) + "1" : "1" + "0".repeat(power);
   }
 }

@@ -10,7 +10,7 @@ final class PanelChart {
 
   private static final int COLUMNS = 3;
   private static final int LEGEND = 52;
-  private static final int LEGEND_WIDTH = 600;
+  private static final int LEGEND_WIDTH = 800;
 
   private PanelChart() {}
 
@@ -29,7 +29,8 @@ final class PanelChart {
     for (int i = 0; i < shown.size(); i++) {
       Report.Entry entry = shown.get(i);
       svg.group(i % columns * Panel.WIDTH, LEGEND + i / columns * Panel.HEIGHT);
-      new Panel(svg, entry.uniform(), cost).draw(entry.name(), entry.uniform());
+      new Panel(svg, entry.uniform(), entry.targets().runs(), cost)
+          .draw(entry.name(), entry.uniform());
       svg.endGroup();
     }
     return Optional.of(svg.end());
@@ -48,6 +49,8 @@ final class PanelChart {
     svg.text(362, 4, "start", Panel.DARK, "fitted slope");
     svg.line(448, 0, 472, 0, Panel.RANDOM, Panel.RANDOM_DASHES);
     svg.text(478, 4, "start", Panel.DARK, "slope -1/2");
+    svg.diamond(556, 0, Panel.FITTED);
+    svg.text(566, 4, "start", Panel.DARK, "rendered to 4, 2, 1, 0.5 levels");
     svg.endGroup();
   }
 }

@@ -1,7 +1,10 @@
 package glint.desktop.report;
 
 import glint.report.Curve;
+import glint.report.DepthStudy;
+import glint.report.TargetStudy;
 import java.util.List;
+import java.util.OptionalDouble;
 
 /**
  * Speed against error of some scenes, and what they were measured on; immutable.
@@ -33,7 +36,20 @@ public record Report(String command, Environment environment, List<Entry> entrie
    * @param width columns of the image
    * @param height rows of the image
    * @param uniform error against cost, every pixel having as many samples as all others
+   * @param targets what renders to an error cost and claim
+   * @param depths what bounces cost and bring
+   * @param replays the commands that show the worst pixels, in their order
+   * @param formula how far the truth is from what a formula says, in display levels, if one does
    */
   public record Entry(
-      String file, String name, String title, int width, int height, Curve uniform) {}
+      String file,
+      String name,
+      String title,
+      int width,
+      int height,
+      Curve uniform,
+      TargetStudy targets,
+      DepthStudy depths,
+      List<String> replays,
+      OptionalDouble formula) {}
 }

@@ -7,12 +7,36 @@ import glint.report.Measurement.Cost;
 import glint.report.Rays;
 import glint.report.Spread;
 import glint.report.Study;
+import glint.report.TargetStudy;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
 
 /** Puts a report into words, tables and charts. */
 final class ReportPage {
+
+  private static final String EQUAL =
+      "A render to an error of one level, and uniform sampling with as many samples as have the same"
+          + " true error, between powers of two by a power law. Times faster is the ratio of"
+          + " efficiencies at that error, with its 95 % bootstrap interval over the runs of both;"
+          + " means are geometric. Other targets are among all figures.";
+
+  private static final String HONEST =
+      "Of each scene and target there are "
+          + TargetStudy.RUNS
+          + " images with different seeds. Kept is the share of them whose true error is at most"
+          + " the target; true over claimed is the median, over claims of at least 0.05 levels."
+          + " Pixels are those of one image at a target of one level: σ is what a pixel claims, and"
+          + " a pixel is silent that claims less than 4 levels and is off by more. Pixels without"
+          + " any error, claimed or true, are left out.";
+
+  private static final String BOUNCES =
+      "What is lost with fewer bounces, in levels, at what share of the time that all take; with 4"
+          + " samples for every pixel, compared with the same samples and all bounces.";
+
+  private static final String WORST =
+      "The ten pixels of the image at a target of one level that are off most, and the commands that"
+          + " show all their rays.";
 
   private final Report report;
   private final String files;
@@ -36,15 +60,40 @@ final class ReportPage {
     page.add(new Block.Heading(1, "Speed against error"));
     page.add(new Block.Paragraph(machine()));
     explain();
-    page.add(new Block.Heading(2, "Error"));
+    page.add(new Block.Heading(2, "At equal error"));
+    page.add(new Block.Paragraph(EQUAL));
+    page.add(TargetTables.equalError(report));
+    page.add(new Block.Heading(2, "At equal time"));
+    page.add(TargetTables.equalTime(report));
+    page.add(new Block.Heading(2, "Honesty"));
+    page.add(new Block.Paragraph(HONEST));
+    page.add(TargetTables.honesty(report));
+    String reliability = ReliabilityChart.of(report);
+    page.add(
+        new Block.Figure(files + "-reliability.svg", "True errors against claims", reliability));
+    page.add(TargetTables.calibration(report));
+    page.add(new Block.Heading(2, "As many samples for every pixel"));
     page.add(errors());
     chart(Cost.SECONDS, "seconds", "Error against seconds");
     chart(Cost.RAYS, "rays", "Error against rays");
     page.add(new Block.Heading(2, "Cost"));
     page.add(costs());
+    page.add(new Block.Heading(2, "Bounces"));
+    page.add(new Block.Paragraph(BOUNCES));
+    page.add(PixelTables.depths(report));
+    page.add(new Block.Heading(2, "Worst pixels"));
+    page.add(new Block.Paragraph(WORST));
+    for (Report.Entry entry : report.entries()) {
+      if (!entry.targets().worst().isEmpty()) {
+        page.add(new Block.Details(entry.name(), PixelTables.worst(entry)));
+      }
+    }
     page.add(new Block.Heading(2, "All figures"));
     for (Report.Entry entry : report.entries()) {
       page.add(new Block.Details(summary(entry), figures(entry.uniform())));
+      page.add(
+          new Block.Details(
+              entry.name() + ", rendered to an error", TargetTables.equalError(entry)));
     }
     return page;
   }
@@ -70,7 +119,9 @@ final class ReportPage {
                 + " in display levels: 255·encode(clamp(x, 0, 1)), unrounded. The truth is what"
                 + " the scene file says that follows from a formula, pixels or the mean of the"
                 + " image; without that it is a reference, the mean of two long runs that share no"
-                + " sample. Half of what these differ by is how far the reference may be off. An"
+                + " sample and go on in every pixel until they agree. Half of what they differ by is"
+                + " how far the reference may be off; where a formula says more of the picture, the"
+                + " reference is that far from it. An"
                 + " error less than ten times as large stands in parentheses, is drawn hollow, and"
                 + " counts in no slope. A reference follows as many bounces as the images do; what"
                 + " those leave out is bounded by the truncation."));
@@ -98,7 +149,7 @@ final class ReportPage {
     for (Report.Entry entry : report.entries()) {
       most = Math.max(most, entry.uniform().points().size());
     }
-    List<String> head = new ArrayList<>(List.of("scene", "truth", "off by"));
+    List<String> head = new ArrayList<>(List.of("scene", "truth", "off by", "formula"));
     for (int i = 0; i < most; i += 2) {
       head.add(i == 0 ? "1 sample" : String.valueOf(1 << i));
     }
@@ -110,6 +161,7 @@ final class ReportPage {
       row.add(entry.name());
       row.add(curve.truth().origin());
       row.add(level(curve.truth().uncertainty()));
+      row.add(entry.formula().isPresent() ? level(entry.formula().getAsDouble()) : "–");
       for (int i = 0; i < most; i += 2) {
         row.add(i < curve.points().size() ? error(curve.points().get(i)) : "–");
       }

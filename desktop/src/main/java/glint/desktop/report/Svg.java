@@ -5,6 +5,17 @@ import java.util.Locale;
 /** Writes a picture as SVG, in pixels from the top left. */
 final class Svg {
 
+  /** What is dark on white becomes light on black where the reader wants that. */
+  private static final String STYLE =
+      """
+      <style>@media (prefers-color-scheme: dark) {
+      [fill="#fff"] { fill: #17191c } [fill="#222"] { fill: #e2e4e8 } [fill="#777"] { fill: #9aa0a8 }
+      [stroke="#e4e4e4"] { stroke: #33373d } [stroke="#999"] { stroke: #8a9098 }
+      [fill="#0072b2"] { fill: #4fb0ea } [stroke="#0072b2"] { stroke: #4fb0ea }
+      [fill="#d55e00"] { fill: #ff9147 } [stroke="#d55e00"] { stroke: #ff9147 }
+      }</style>
+      """;
+
   private final StringBuilder out = new StringBuilder();
 
   /** Begins a white picture. */
@@ -13,6 +24,7 @@ final class Svg {
         "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 %d %d\" width=\"%d\""
             + " height=\"%d\" font-family=\"sans-serif\" font-size=\"11\">",
         width, height, width, height);
+    out.append(STYLE);
     add("<rect width=\"%d\" height=\"%d\" fill=\"#fff\"/>", width, height);
   }
 
@@ -45,6 +57,18 @@ final class Svg {
     add(
         "<circle cx=\"%.1f\" cy=\"%.1f\" r=\"3\" fill=\"%s\" stroke=\"%s\"/>",
         x, y, full ? colour : "#fff", colour);
+  }
+
+  /** Draws one of many dots. */
+  void speck(double x, double y) {
+    add(
+        "<circle cx=\"%.1f\" cy=\"%.1f\" r=\"2\" fill=\"%s\" fill-opacity=\".45\"/>",
+        x, y, Panel.MEASURED);
+  }
+
+  /** Draws a diamond. */
+  void diamond(double x, double y, String colour) {
+    add("<path d=\"M%.1f %.1fl5 5l-5 5l-5 -5z\" fill=\"%s\"/>", x, y - 5, colour);
   }
 
   /** Ends the picture and returns it. */

@@ -5,16 +5,21 @@ import glint.color.Transfer;
 import glint.image.Image;
 import glint.report.Answers;
 import glint.report.Curve;
+import glint.report.DepthStudy;
 import glint.report.Errors;
+import glint.report.Honesty;
 import glint.report.Measurement;
 import glint.report.Rays;
 import glint.report.Reference;
 import glint.report.Spread;
+import glint.report.TargetRuns;
+import glint.report.TargetStudy;
 import glint.report.Truth;
 import glint.scene.Expectation;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
+import java.util.OptionalDouble;
 import java.util.OptionalInt;
 
 /** A report whose figures are known. */
@@ -36,9 +41,52 @@ final class Example {
         "glint report a",
         environment,
         List.of(
-            new Report.Entry(
-                "a|b.yaml", "law", "A <scene> & more", 8, 6, curve(reference, 10, true)),
-            new Report.Entry("b.yaml", "exact", "exact", 4, 4, curve(mean, 0, false))));
+            entry("a|b.yaml", "law", "A <scene> & more", curve(reference, 10, true), 1),
+            entry("b.yaml", "exact", "exact", curve(mean, 0, false), 0)));
+  }
+
+  /** Renders to an error that are as far off as asked, with two samples' rays and seconds. */
+  static Report.Entry entry(String file, String name, String title, Curve curve, int off) {
+    List<TargetRuns> runs = new ArrayList<>();
+    for (double target : new double[] {4, 1}) {
+      double error = off * target / 2;
+      Honesty.Claim claim = new Honesty.Claim(target, 0.8 * target, error);
+      Errors errors = new Errors(error, 2 * error, error / 255, error / 100);
+      Rays rays = new Rays(2000, 0, 0, 0);
+      runs.add(
+          new TargetRuns(
+              target,
+              List.of(claim, claim),
+              List.of(errors, errors),
+              Spread.of(2e-3),
+              rays,
+              1.5,
+              0.25));
+    }
+    TargetStudy.Worst worst = new TargetStudy.Worst(2, 1, 3.5, 1.5, 9);
+    TargetStudy targets =
+        new TargetStudy(
+            runs,
+            new double[] {1, 2, 0},
+            new double[] {off, 4.0 * off, 0},
+            off == 0 ? List.of() : List.of(worst));
+    DepthStudy depths =
+        new DepthStudy(
+            List.of(
+                new DepthStudy.Point(0, 8 * off, 9, 1e-3, 1000),
+                new DepthStudy.Point(3, 0, 0.25, 4e-3, 4000)));
+    List<String> replays = off == 0 ? List.of() : List.of("glint replay a");
+    return new Report.Entry(
+        file,
+        name,
+        title,
+        off == 0 ? 4 : 8,
+        off == 0 ? 4 : 6,
+        curve,
+        targets,
+        depths,
+        replays,
+        off == 0 ? OptionalDouble.of(0.5) : OptionalDouble.empty());
   }
 
   private static Curve curve(Truth truth, double error, boolean complete) {

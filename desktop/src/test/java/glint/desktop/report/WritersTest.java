@@ -81,6 +81,7 @@ class WritersTest {
   @Test
   void linesFollowTheirLawsAndEndAtTheAxes() throws Exception {
     List<Element> lines = elements(xml(FILES.get("speed-and-error-rays.svg")), "path");
+    lines.removeIf(line -> !line.hasAttribute("stroke-dasharray"));
     lines.removeIf(line -> line.getAttribute("stroke").equals("#e4e4e4"));
     // Two of the legend, then the slope -1/2 through 2 k rays and 5 levels, then the law itself.
     assertEquals(4, lines.size());
@@ -108,16 +109,17 @@ class WritersTest {
             new Measurement(2, List.of(second), seconds, new Rays(1e5, 0, 0, 0), true));
     Curve law = Example.report().entries().get(0).uniform();
     Curve curve = new Curve(law.truth(), points, 0, true);
-    Report.Entry entry = new Report.Entry("f", "n".repeat(99), "t", 1, 1, curve);
+    Report.Entry entry = Example.entry("f", "n".repeat(99), "t", curve, 0);
     Document svg = xml(PanelChart.of(List.of(entry), Cost.RAYS).orElseThrow());
     List<Element> lines = elements(svg, "path");
+    lines.removeIf(line -> !line.hasAttribute("stroke-dasharray"));
     lines.removeIf(line -> line.getAttribute("stroke").equals("#e4e4e4"));
     // The slope -1/2 through 100 k rays and 0.2 levels reaches 1 level, the top, at 4 k rays.
     double start = 58 + (276 - 58) / 2.0 * Math.log10(4);
     assertEquals(3, lines.size());
     assertLine(lines.get(2), start, 40, 276, 40 + (196 - 40) * Math.log10(5));
     // A name that is too long for its chart is cut, too.
-    assertEquals("n".repeat(34) + "…", elements(svg, "text").get(5).getTextContent());
+    assertEquals("n".repeat(34) + "…", elements(svg, "text").get(6).getTextContent());
   }
 
   @Test
@@ -127,7 +129,11 @@ class WritersTest {
     assertTrue(PanelChart.of(exact, Cost.RAYS).isEmpty());
     Report one = new Report("", report.environment(), exact);
     Set<String> files =
-        Set.of("speed-and-error.json", "speed-and-error.md", "speed-and-error.html");
+        Set.of(
+            "speed-and-error.json",
+            "speed-and-error.md",
+            "speed-and-error.html",
+            "speed-and-error-reliability.svg");
     assertEquals(files, ReportFiles.of(one).keySet());
   }
 
@@ -135,8 +141,8 @@ class WritersTest {
   void thePageIsWellFormedAndNeedsNoOtherFile() throws Exception {
     String html = FILES.get("speed-and-error.html");
     Document page = xml(html.replace("<!DOCTYPE html>", ""));
-    assertEquals(2, elements(page, "svg").size());
-    assertEquals(2, elements(page, "details").size());
+    assertEquals(3, elements(page, "svg").size());
+    assertEquals(5, elements(page, "details").size());
     assertEquals("Speed against error", elements(page, "title").get(0).getTextContent());
     assertFalse(html.contains("src=") || html.contains("href="), html);
     String machine = elements(page, "p").get(0).getTextContent().trim();
@@ -154,9 +160,10 @@ class WritersTest {
   void theMarkdownShowsTheFiguresAndTheCharts() {
     String text = FILES.get("speed-and-error.md");
     List<String> lines = text.lines().toList();
-    String law = "| law | 2 × 32 samples | 0.125 | 10 | 2.5 | (0.625) | -1.00 (-1.00 to -1.00) |";
+    String law =
+        "| law | 2 × 32 samples | 0.125 | – | 10 | 2.5 | (0.625) | -1.00 (-1.00 to -1.00) |";
     assertTrue(lines.contains(law), text);
-    assertTrue(lines.contains("| exact | exact mean | 0 | 0 | 0 | 0 | – |"), text);
+    assertTrue(lines.contains("| exact | exact mean | 0 | 0.5 | 0 | 0 | 0 | – |"), text);
     String cost = "| law | 8x6 | 50 % | 30 % | 0 % | 20 % | 1 M | 1 ms | 0.25 |";
     assertTrue(lines.contains(cost), text);
     assertTrue(
