@@ -75,6 +75,7 @@ final class Rounds {
     sampleBusy();
     int audits = 0;
     for (int round = 0; ; round++) {
+      sides.learn();
       estimate();
       model.learn();
       double error = error(allocation.total());

@@ -23,6 +23,9 @@ final class Sides {
   /** Where brackets are divided: from this share of their length up to one less it. */
   private static final double LEAST_SHARE = 0.35;
 
+  /** The same for the first time: edges just through the middle are nothing special then. */
+  private static final double FIRST_SHARE = 0.2;
+
   /** How near to a corner that is. */
   private static final float BESIDE_CORNER = 0x1p-12f;
 
@@ -38,6 +41,7 @@ final class Sides {
 
   final float[] high;
   private final long seed;
+  private double atCorner;
 
   /** Sides whose brackets are divided next. */
   private final boolean[] wanted;
@@ -80,6 +84,28 @@ final class Sides {
   void want(int side, boolean atCorner) {
     wanted[side] = true;
     besideCorner[side] |= atCorner;
+  }
+
+  /**
+   * Learns how probable it is that a bracket that ends at a corner does so because the edge runs
+   * just there: from how many do, and how many would by chance.
+   */
+  void learn() {
+    int ending = 0;
+    double byChance = 0;
+    for (int side = 0; side < steps.length; side++) {
+      if (steps[side] >= 2) {
+        ending += endsAtCorner(side, 2) ? 1 : 0;
+        byChance += Math.scalb(2.0, -steps[side]);
+      }
+    }
+    double atMost = byChance + 2 * Math.sqrt(byChance);
+    atCorner = ending > atMost ? 1 - atMost / ending : 0;
+  }
+
+  /** Returns the probability that a bracket's edge runs just along the corner that it ends at. */
+  double atCorner(int side) {
+    return endsAtCorner(side, 2) ? atCorner : 0;
   }
 
   /** Returns whether a bracket that was divided so many times still ends at a corner. */
@@ -143,7 +169,8 @@ final class Sides {
       return low[side] == 0 ? BESIDE_CORNER : 1 - BESIDE_CORNER;
     }
     long hash = SobolSampler.mix(seed ^ ((long) side << 8 | steps[side]));
-    double share = LEAST_SHARE + (1 - 2 * LEAST_SHARE) * (hash >>> 11) * 0x1p-53;
+    double least = steps[side] == 0 ? FIRST_SHARE : LEAST_SHARE;
+    double share = least + (1 - 2 * least) * (hash >>> 11) * 0x1p-53;
     return (float) (low[side] + share * (high[side] - low[side]));
   }
 

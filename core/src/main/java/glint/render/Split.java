@@ -208,10 +208,12 @@ final class Split {
 
   /**
    * Returns the variance of the mean, in levels², by what is not known of where the edge meets the
-   * sides: it may be anywhere in its brackets.
+   * sides: it may be anywhere in its brackets, or run just along the corners that both end at.
    */
   double variance(LevelScale scale) {
+    double atCorner = Math.min(sides.atCorner(crossed[0]), sides.atCorner(crossed[1]));
     double variance = 0;
+    double sum = 0;
     for (int i = 0; i < 2; i++) {
       double along = along(i);
       double half = 0.5 * sides.length(crossed[i]);
@@ -221,7 +223,9 @@ final class Split {
       double range = more - area();
       place(i, along);
       variance += range * range / 12; // of a number even in a range
+      sum += Math.abs(range) / 2;
     }
+    variance += atCorner * (sum * sum - variance);
     return inLevels(scale, Math.sqrt(variance));
   }
 
