@@ -42,7 +42,7 @@ class ModelsTest {
       assertTrue(text.length() <= MOST_BYTES, file.getKey());
       together += text.length();
     }
-    assertTrue(together <= MOST_BYTES_TOGETHER, () -> "too much");
+    assertTrue(together <= MOST_BYTES_TOGETHER, "all files together");
   }
 
   @ParameterizedTest

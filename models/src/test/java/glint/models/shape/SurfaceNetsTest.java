@@ -99,7 +99,7 @@ class SurfaceNetsTest {
       most = Math.max(most, v);
       assertEquals(v, noise.at(p.plus(new Vector3d(1e-7, 0, 0))), 1e-6);
     }
-    assertTrue(least > -1 && least < -0.6, () -> "least");
+    assertTrue(least > -1 && least < -0.6);
     assertTrue(most < 1 && most > 0.6);
     assertEquals(2 * noise.pick(5) - 1, noise.at(new Vector3d(5, 0, 0)), 1e-15);
     assertEquals(noise.at(CORNER) + noise.at(CORNER.times(2)) / 2, noise.octaves(CORNER, 2), 1e-15);
