@@ -38,6 +38,9 @@ final class ErrorModel {
   /** Added to contrasts: what is worth a level. */
   private static final double LEAST_CONTRAST = 1;
 
+  /** As how many samples those around a pixel count where they are random. */
+  private static final double AROUND = 3;
+
   private final Film film;
   private final double[] moved = new double[2 * LEVELS];
   private final double[] spread = new double[2 * LEVELS];
@@ -132,12 +135,18 @@ final class ErrorModel {
 
   /**
    * Returns the variance of a mean of as many independent samples. To those of a pixel without a
-   * model, one of the contrast around is added: they may all have missed something.
+   * model, one of the contrast around is added: they may all have missed something. Where samples
+   * are random, what those around find is added, too: a pixel that a few samples take for even
+   * would not be looked at again.
    */
   private double spread(int pixel) {
     double n = film.samples(pixel);
-    double unseen = film.kind[pixel] == Film.BUSY ? film.contrast[pixel] / n : 0;
-    return ((n - 1) * film.own[pixel] + unseen) / n;
+    if (film.kind[pixel] != Film.BUSY) {
+      return (n - 1) * film.own[pixel] / n;
+    }
+    double others = film.contrast[pixel] + AROUND * film.noise[pixel];
+    double count = film.random[pixel] ? n + AROUND : n;
+    return ((n - 1) * film.own[pixel] + others / n) / count;
   }
 
   /**

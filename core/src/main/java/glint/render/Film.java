@@ -37,6 +37,9 @@ final class Film {
   /** How much is going on around: 0 nothing, up to 15. */
   final byte[] surroundings;
 
+  /** Whether corners do not tell all that is to be seen, because their rays are random ones. */
+  final boolean[] random;
+
   /** Whether the middle was looked at. */
   final boolean[] checked;
 
@@ -54,6 +57,9 @@ final class Film {
 
   /** The parts of pixels that are sampled by themselves, by pixel. */
   final Map<Integer, Focus> focus = new HashMap<>();
+
+  /** What single samples find around a busy pixel, in levels². */
+  final float[] noise;
 
   /** Where the sums of a sampled pixel stand, or -1. */
   final int[] slot;
@@ -83,11 +89,13 @@ final class Film {
     int count = width * height;
     kind = new byte[count];
     surroundings = new byte[count];
+    random = new boolean[count];
     checked = new boolean[count];
     level = new byte[count];
     own = new float[count];
     doubt = new float[count];
     contrast = new float[count];
+    noise = new float[count];
     slot = new int[count];
     Arrays.fill(slot, -1);
   }
@@ -152,8 +160,10 @@ final class Film {
         }
       }
     }
-    contrast[pixel] =
-        count == 0 ? contrast[pixel] : Math.max(contrast[pixel], (float) (sum / count));
+    if (count > 0) {
+      noise[pixel] = (float) (sum / count);
+      contrast[pixel] = Math.max(contrast[pixel], noise[pixel]);
+    }
   }
 
   /** Returns whether samples of a pixel differ much from what its model says. */

@@ -56,7 +56,8 @@ final class Refiner {
     film.contrast[pixel] = (float) corners.contrast(x, y, scale);
     // Of an image that shows no contrast, audits tell whether there is none.
     boolean detailed = film.contrast[pixel] > VISIBLE && corners.leapsOverDetail(x, y);
-    if (detailed || corners.isRandom(x, y)) {
+    film.random[pixel] = corners.isRandom(x, y);
+    if (detailed || film.random[pixel]) {
       film.kind[pixel] = Film.BUSY;
     }
   }

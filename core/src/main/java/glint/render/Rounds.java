@@ -119,17 +119,6 @@ final class Rounds {
     do {
       crew.run(tiles.count(), (refiner, i) -> tiles.forEach(i, refiner::survey));
     } while (check());
-    sampleRandom();
-  }
-
-  /** Takes the first samples of pixels whose corners do not tell all that is to be seen there. */
-  private void sampleRandom() throws InterruptedException {
-    for (int pixel = 0; pixel < film.kind.length; pixel++) {
-      if (corners.isRandom(pixel % film.width, pixel / film.width)) {
-        sampling.choose(pixel);
-      }
-    }
-    sampling.run(Refiner.FIRST);
   }
 
   /** Looks for things that are too small or thin for the rays through corners. */
@@ -186,7 +175,8 @@ final class Rounds {
    */
   private void sampleBusy() throws InterruptedException {
     for (int pixel = 0; pixel < film.kind.length; pixel++) {
-      if (film.kind[pixel] == Film.BUSY && !film.focus.containsKey(pixel)) {
+      boolean known = film.focus.containsKey(pixel) && !film.random[pixel];
+      if (film.kind[pixel] == Film.BUSY && !known) {
         sampling.choose(pixel);
       }
     }
@@ -201,7 +191,8 @@ final class Rounds {
             tiles.forEach(
                 i,
                 (x, y) -> {
-                  if (film.level[y * film.width + x] == 0) {
+                  int pixel = y * film.width + x;
+                  if (film.level[pixel] == 0) {
                     refiner.estimate(x, y);
                   } else {
                     film.compare(x, y);
