@@ -4,9 +4,11 @@ import glint.io.YamlNode.Mapping;
 import glint.math.Vector3d;
 import glint.scene.Background;
 import glint.scene.Camera;
+import glint.scene.Lens;
 import glint.scene.Orthographic;
 import glint.scene.Perspective;
 import glint.scene.Projection;
+import java.util.Optional;
 
 /** Reads cameras and what they see where nothing is. */
 final class CameraReader {
@@ -25,7 +27,18 @@ final class CameraReader {
     Projection projection = projection(f);
     double near = f.number("near", 0);
     double far = f.number("far", Double.POSITIVE_INFINITY);
-    return f.build(() -> new Camera(position, lookAt, up, projection, near, far));
+    Optional<Lens> lens = lens(f, position, lookAt);
+    return f.build(() -> new Camera(position, lookAt, up, projection, near, far, lens));
+  }
+
+  private Optional<Lens> lens(Fields camera, Vector3d position, Vector3d lookAt) {
+    if (!camera.has("lens")) {
+      return Optional.empty();
+    }
+    Fields f = new Fields(camera.get("lens"), Section.LENS, values);
+    double radius = f.number("radius");
+    double focus = f.has("focus") ? f.number("focus") : lookAt.minus(position).length();
+    return Optional.ofNullable(f.build(() -> new Lens(radius, focus)));
   }
 
   private Projection projection(Fields camera) {

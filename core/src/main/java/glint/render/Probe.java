@@ -18,6 +18,7 @@ final class Probe {
   private final Ray ray = new Ray();
   private final int width;
   private final PixelWatch watch;
+  private final boolean lens;
   private int left;
   private int top;
   private long invalid;
@@ -51,6 +52,7 @@ final class Probe {
     numbers = new SobolSampler(settings.seed());
     tracer = new Tracer(scene, depth, settings.negligible(), recorder);
     width = settings.width();
+    lens = scene.plan().lens().used();
   }
 
   /**
@@ -85,7 +87,7 @@ final class Probe {
 
   /** Traces the sample at hand through a place of the image, like {@link #trace}. */
   boolean traceSample(double x, double y) {
-    double end = view.ray(x, y, ray);
+    double end = lens ? view.ray(x, y, numbers, ray) : view.ray(x, y, ray);
     if (watch != null) {
       watch.recorder.begin();
     }

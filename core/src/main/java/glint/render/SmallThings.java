@@ -66,8 +66,11 @@ final class SmallThings {
     height = corners.rows - 1;
   }
 
-  /** Returns by pixel, in row order, what may be seen there. */
+  /** Returns by pixel, in row order, what may be seen there; nothing is small behind a lens. */
   Map<Integer, List<Glimpse>> find() {
+    if (!view.isSharp()) {
+      return Map.of();
+    }
     int surface = 0;
     for (Placement p : scene.scene().placements()) {
       if (p.surface() instanceof Mesh mesh) {

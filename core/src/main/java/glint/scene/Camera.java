@@ -6,6 +6,7 @@ import glint.math.Quaternion;
 import glint.math.Rounding;
 import glint.math.Transform;
 import glint.math.Vector3d;
+import java.util.Optional;
 
 /**
  * Where the picture is taken from; immutable.
@@ -16,6 +17,7 @@ import glint.math.Vector3d;
  * @param projection how directions become places in the picture
  * @param near nothing nearer than this, measured along the view, is seen; 0 for no limit
  * @param far nothing farther is seen; infinite for no limit
+ * @param lens what gathers light; absent for a pinhole
  */
 public record Camera(
     Vector3d position,
@@ -23,7 +25,8 @@ public record Camera(
     Vector3d up,
     Projection projection,
     double near,
-    double far) {
+    double far,
+    Optional<Lens> lens) {
 
   /** Checks that eye, target and up span a picture and that 0 ≤ near &lt; far. */
   public Camera {
@@ -44,7 +47,18 @@ public record Camera(
     }
   }
 
-  /** Returns a camera without clipping. */
+  /** Makes a pinhole camera. */
+  public Camera(
+      Vector3d position,
+      Vector3d lookAt,
+      Vector3d up,
+      Projection projection,
+      double near,
+      double far) {
+    this(position, lookAt, up, projection, near, far, Optional.empty());
+  }
+
+  /** Returns a pinhole camera without clipping. */
   public static Camera of(Vector3d position, Vector3d lookAt, Vector3d up, Projection projection) {
     return new Camera(position, lookAt, up, projection, 0, Double.POSITIVE_INFINITY);
   }
@@ -62,6 +76,7 @@ public record Camera(
         turn.direction(up),
         projection,
         near,
-        far);
+        far,
+        lens);
   }
 }

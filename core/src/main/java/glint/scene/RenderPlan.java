@@ -16,6 +16,7 @@ import java.util.function.Predicate;
  * <p>These very decisions select the code that runs, and {@code glint plan} prints them.
  */
 public record RenderPlan(
+    Decision lens,
     Decision instances,
     Decision tree,
     Decision smoothNormals,
@@ -38,6 +39,7 @@ public record RenderPlan(
   static RenderPlan of(
       Scene scene, Decision instances, Primitives primitives, Illumination lights) {
     return new RenderPlan(
+        lens(scene),
         instances,
         tree(primitives),
         smoothNormals(scene),
@@ -56,6 +58,7 @@ public record RenderPlan(
   public static RenderPlan everything() {
     String reason = "everything is switched on";
     return new RenderPlan(
+        new Decision("lens", true, reason),
         new Decision("instances", true, reason),
         new Decision("hierarchy", true, reason),
         new Decision("smooth normals", true, reason),
@@ -73,6 +76,7 @@ public record RenderPlan(
   /** Returns the decisions in the order in which a ray meets them. */
   public List<Decision> decisions() {
     return List.of(
+        lens,
         instances,
         tree,
         smoothNormals,
@@ -85,6 +89,12 @@ public record RenderPlan(
         mirrors,
         refraction,
         sky);
+  }
+
+  private static Decision lens(Scene scene) {
+    return scene.camera().lens().filter(lens -> lens.radius() > 0).isPresent()
+        ? new Decision("lens", true, "rays start at random places of it")
+        : new Decision("lens", false, "the camera is a pinhole: everything is sharp");
   }
 
   /** Decides whether meshes that stand at several places are kept once. */

@@ -2,9 +2,16 @@ package glint.scene;
 
 import glint.geometry.Ray;
 import glint.math.Vector3d;
+import glint.sampling.Disc;
+import glint.sampling.SobolSampler;
 
-/** A camera in front of an image of a certain size: turns places in the image into rays. */
+/**
+ * A camera in front of an image of a certain size: turns places in the image into rays; scratch.
+ */
 public final class View {
+
+  /** The pair of numbers that chooses a place in the lens. */
+  private static final long LENS = -1;
 
   private final Camera camera;
   private final int width;
@@ -15,6 +22,9 @@ public final class View {
   private final double halfWidth;
   private final double halfHeight;
   private final boolean parallel;
+  private final double lensRadius;
+  private final double focus;
+  private final Disc disc = new Disc();
 
   /** How far behind the picture the eye of an orthographic camera is, in heights of the picture. */
   private static final double FAR_BEHIND = 1e8;
@@ -32,6 +42,42 @@ public final class View {
     halfWidth = camera.projection().halfWidth(width, height);
     halfHeight = camera.projection().halfHeight(width, height);
     parallel = camera.projection() instanceof Orthographic;
+    lensRadius = camera.lens().map(Lens::radius).orElse(0.0);
+    focus = camera.lens().map(Lens::focus).orElse(1.0);
+  }
+
+  /**
+   * Sets {@code ray} to the ray through a random place of the lens and a place in the image.
+   *
+   * @param sample decides where in the lens; its middle is a pinhole
+   * @return the parameter at which the far clipping plane ends the ray
+   */
+  public double ray(double x, double y, SobolSampler sample, Ray ray) {
+    double end = ray(x, y, ray);
+    if (lensRadius == 0) {
+      return end;
+    }
+    sample.draw(LENS);
+    disc.at(sample.u, sample.v);
+    double a = lensRadius * disc.a;
+    double b = lensRadius * disc.b;
+    if (a == 0 && b == 0) {
+      return end;
+    }
+    // Lead from the place in the lens to where the ray through its middle is sharp.
+    double toFocus = focus / (ray.dx * forward.x() + ray.dy * forward.y() + ray.dz * forward.z());
+    double ox = a * right.x() + b * up.x();
+    double oy = a * right.y() + b * up.y();
+    double oz = a * right.z() + b * up.z();
+    double dx = ray.dx - ox / toFocus;
+    double dy = ray.dy - oy / toFocus;
+    double dz = ray.dz - oz / toFocus;
+    double length = Math.sqrt(dx * dx + dy * dy + dz * dz);
+    double tMin = ray.tMin * length;
+    ray.set(ray.ox + ox, ray.oy + oy, ray.oz + oz, dx / length, dy / length, dz / length);
+    // The component along the view of what is added is 0: distances along it grow with the length.
+    ray.tMin = tMin;
+    return end * length;
   }
 
   /**
@@ -64,6 +110,11 @@ public final class View {
     // The component along the view is 1, so a clipping distance is reached at t = length times it.
     ray.tMin = camera.near() * length;
     return camera.far() * length;
+  }
+
+  /** Returns whether everything is in focus, as one ray through a place shows it. */
+  public boolean isSharp() {
+    return lensRadius == 0;
   }
 
   /** Returns where it is seen from: of an orthographic camera a point far behind the picture. */

@@ -33,6 +33,7 @@ import glint.optics.Wrap;
 import glint.scene.Background;
 import glint.scene.Camera;
 import glint.scene.Expectation;
+import glint.scene.Lens;
 import glint.scene.Orthographic;
 import glint.scene.Perspective;
 import glint.scene.Placement;
@@ -126,7 +127,14 @@ class YamlScenesTest {
     assertEquals("surfaces", scene.title());
     assertEquals("320x200", scene.width() + "x" + scene.height());
     assertEquals(
-        new Camera(v(0, 1, 8), v(0, 1, 0), Y, new Perspective(60, true, 0), 0.5, 100),
+        new Camera(
+            v(0, 1, 8),
+            v(0, 1, 0),
+            Y,
+            new Perspective(60, true, 0),
+            0.5,
+            100,
+            Optional.of(new Lens(0.25, 8))),
         scene.camera());
     assertEquals(new Background(Rgb.grey(0.25), new Rgb(0, 0, 1)), scene.background());
     assertEquals(List.of(new Light.Ambient(Rgb.grey(0.125))), scene.lights());
@@ -142,7 +150,8 @@ class YamlScenesTest {
   @Test
   void aCameraMayBeOrthographic() {
     assertEquals(
-        new Camera(v(0, 0, 9), O, Y, new Orthographic(12.5), 0, 20), scenes.get(3).camera());
+        new Camera(v(0, 0, 9), O, Y, new Orthographic(12.5), 0, 20, Optional.of(new Lens(0, 3))),
+        scenes.get(3).camera());
   }
 
   @Test

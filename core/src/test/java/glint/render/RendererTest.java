@@ -30,6 +30,7 @@ import glint.optics.Medium;
 import glint.optics.Stripes;
 import glint.scene.Background;
 import glint.scene.Camera;
+import glint.scene.Lens;
 import glint.scene.Placement;
 import glint.scene.Prepared;
 import glint.scene.Projection;
@@ -124,7 +125,15 @@ class RendererTest {
           mirror.textured(new ImageTexture(Noise.of(5, 3), Layout.ONCE, Optional.empty()));
       Scene.Builder scene =
           new Scene.Builder("world")
-              .camera(Camera.of(v(0.5, 1.5, 8), v(0.1, 0.2, 0.3), d(0, 1, 0), lens()))
+              .camera(
+                  new Camera(
+                      v(0.5, 1.5, 8),
+                      v(0.1, 0.2, 0.3),
+                      d(0, 1, 0),
+                      lens(),
+                      0,
+                      Double.POSITIVE_INFINITY,
+                      Optional.of(new Lens(scale / 16, scale * 7))))
               .background(new Background(Rgb.grey(0.1), new Rgb(0.3, 0.4, 0.9)))
               .light(new Light.Ambient(Rgb.grey(0.2)))
               .light(new Light.Point(v(3, 6, 4), Rgb.grey(0.5), false))

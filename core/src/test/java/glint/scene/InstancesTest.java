@@ -89,6 +89,7 @@ class InstancesTest {
     assertTrue(plan.instances().used());
     RenderPlan without =
         new RenderPlan(
+            plan.lens(),
             new Decision("instances", false, "switched off"),
             plan.tree(),
             plan.smoothNormals(),

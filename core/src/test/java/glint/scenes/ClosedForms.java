@@ -40,6 +40,7 @@ final class ClosedForms {
     forms.floors();
     forms.lenses();
     forms.lamps();
+    forms.blur();
     return forms.values;
   }
 
@@ -318,5 +319,17 @@ final class ClosedForms {
     double p = sqrt(1 + a * a);
     double q = sqrt(1 + b * b);
     return (a / p * atan2(b, p) + b / q * atan2(a, q)) / (2 * PI);
+  }
+
+  private void blur() {
+    scene("lens-near", beyond(0.5));
+    scene("lens-far", beyond(0.6));
+    scene("lens-parallel", beyond(0.8));
+    scene("lens-sharp", 1);
+  }
+
+  /** The share of a disc beyond a line. */
+  private static double beyond(double s) {
+    return (PI / 2 - asin(s) - s * sqrt(1 - s * s)) / PI;
   }
 }
