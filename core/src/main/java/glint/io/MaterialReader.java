@@ -116,10 +116,14 @@ final class MaterialReader {
     Rgb specular = f.light("specular", Rgb.BLACK);
     double shininess = f.number("shininess", 32);
     Rgb reflection = f.light("reflection", Rgb.BLACK);
+    double gloss = f.number("gloss", Double.POSITIVE_INFINITY);
     Rgb emission = f.light("emission", Rgb.BLACK);
     Rgb transparency = f.light("transparency", Rgb.BLACK);
     if (!f.has("transparency")) {
       f.noteIdle("has no effect without 'transparency'", "ior", "absorption", "priority");
+    }
+    if (!f.has("reflection") && !f.has("transparency")) {
+      f.noteIdle("has no effect where nothing is mirrored", "gloss");
     }
     if (diffuse.isBlack() && ambient.isBlack()) {
       f.noteIdle("has no effect where 'diffuse' and 'ambient' are 0", "texture");
@@ -138,7 +142,8 @@ final class MaterialReader {
                 emission,
                 transparency,
                 interior.get(),
-                Optional.ofNullable(texture)));
+                Optional.ofNullable(texture),
+                gloss));
   }
 
   /** Returns what makes the medium inside; it checks the values. */

@@ -45,7 +45,7 @@ enum Section {
   ROTATION("a rotation", "axis degrees euler look up", ""),
   MATERIAL(
       "a material",
-      "color ambient diffuse specular shininess reflection emission"
+      "color ambient diffuse specular shininess reflection gloss emission"
           + " transparency ior absorption priority texture",
       ""),
   TEXTURE("a texture", "checker stripes image mapping scale offset wrap", "wood"),

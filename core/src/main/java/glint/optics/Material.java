@@ -18,6 +18,8 @@ import java.util.Optional;
  * @param transparency the share of the light that goes through or is reflected by Fresnel's law
  * @param interior what the surface encloses; matters where transparency is not black
  * @param texture what multiplies ambient and diffuse, from place to place
+ * @param gloss the exponent of the lobe that mirrored light is spread over, zero or more; infinite
+ *     for a mirror
  */
 public record Material(
     Rgb ambient,
@@ -28,7 +30,8 @@ public record Material(
     Rgb emission,
     Rgb transparency,
     Medium interior,
-    Optional<Texture> texture) {
+    Optional<Texture> texture,
+    double gloss) {
 
   /** Plain white diffuse, what a surface without a material is made of. */
   public static final Material WHITE =
@@ -43,6 +46,9 @@ public record Material(
     emission.requireLight("emission");
     transparency.requireLight("transparency");
     Check.range("shininess", shininess, 0, 1e9);
+    if (gloss != Double.POSITIVE_INFINITY) {
+      Check.range("gloss", gloss, 0, 1e9);
+    }
   }
 
   /** Makes a material of the same colour everywhere. */
@@ -64,7 +70,8 @@ public record Material(
         emission,
         transparency,
         interior,
-        Optional.empty());
+        Optional.empty(),
+        Double.POSITIVE_INFINITY);
   }
 
   /** Makes an opaque material of the same colour everywhere. */
@@ -84,7 +91,28 @@ public record Material(
         emission,
         transparency,
         interior,
-        Optional.of(pattern));
+        Optional.of(pattern),
+        gloss);
+  }
+
+  /** Returns the same material, spreading what it mirrors over a lobe of this exponent. */
+  public Material glossy(double exponent) {
+    return new Material(
+        ambient,
+        diffuse,
+        specular,
+        shininess,
+        reflection,
+        emission,
+        transparency,
+        interior,
+        texture,
+        exponent);
+  }
+
+  /** Returns whether mirrored light is spread. */
+  public boolean isGlossy() {
+    return gloss < Double.POSITIVE_INFINITY;
   }
 
   /** Returns whether light goes through. */

@@ -27,6 +27,7 @@ public record RenderPlan(
     Decision images,
     Decision highlights,
     Decision mirrors,
+    Decision gloss,
     Decision refraction,
     Decision sky) {
 
@@ -50,6 +51,7 @@ public record RenderPlan(
         images(scene),
         highlights(scene, lights),
         mirrors(scene),
+        gloss(scene),
         refraction(scene),
         sky(scene));
   }
@@ -69,6 +71,7 @@ public record RenderPlan(
         new Decision("images", true, reason),
         new Decision("highlights", true, reason),
         new Decision("mirror rays", true, reason),
+        new Decision("gloss", true, reason),
         new Decision("refraction", true, reason),
         new Decision("sky gradient", true, reason));
   }
@@ -87,6 +90,7 @@ public record RenderPlan(
         images,
         highlights,
         mirrors,
+        gloss,
         refraction,
         sky);
   }
@@ -193,6 +197,13 @@ public record RenderPlan(
       return new Decision(feature, false, "no material reflects");
     }
     return new Decision(feature, true, "reflecting surfaces: " + mirrors);
+  }
+
+  private static Decision gloss(Scene scene) {
+    int glossy = count(scene, p -> p.any(Material::isGlossy));
+    return glossy == 0
+        ? new Decision("gloss", false, "what is mirrored is not spread")
+        : new Decision("gloss", true, "mirror rays are random ones of a lobe; surfaces: " + glossy);
   }
 
   private static Decision refraction(Scene scene) {

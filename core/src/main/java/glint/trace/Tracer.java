@@ -8,6 +8,7 @@ import glint.light.LampSight;
 import glint.optics.Fresnel;
 import glint.optics.Material;
 import glint.optics.Medium;
+import glint.sampling.GlossyLobe;
 import glint.sampling.SobolSampler;
 import glint.scene.Background;
 import glint.scene.Prepared;
@@ -29,6 +30,9 @@ public final class Tracer {
 
   /** In a signature: the first light of an area was met. */
   private static final long LAMP = -2;
+
+  /** Added to the number of a ray: the pair of numbers that chooses its mirror image. */
+  private static final long GLOSS = -2;
 
   /** Turns the number of a ray in its tree into that of its mirror image. */
   private static final long MIRRORED = 0x9e3779b97f4a7c15L;
@@ -54,6 +58,7 @@ public final class Tracer {
   private final SobolSampler centre = new SobolSampler(0);
 
   private SobolSampler numbers = centre;
+  private final GlossyLobe lobe = new GlossyLobe();
 
   /** Is told of every ray; null unless somebody asks. */
   private final Recorder recorder;
@@ -218,7 +223,7 @@ public final class Tracer {
       boolean reflects = matters(f, depth + 1);
       signature.add((reflects ? 1 : 0) + (refracts ? 2 : 0));
       if (reflects) {
-        reflect(f);
+        reflect(f, material.gloss());
       }
       if (refracts) {
         counts.refraction++;
@@ -335,15 +340,23 @@ public final class Tracer {
     return false;
   }
 
-  /** Sets a frame's ray to its mirror image about the normal, from the hit. */
-  private void reflect(Frame f) {
+  /**
+   * Sets a frame's ray to its mirror image about the normal, from the hit, or one close to that.
+   */
+  private void reflect(Frame f, double gloss) {
     Ray ray = f.ray;
     double twice = 2 * (ray.dx * hit.sx + ray.dy * hit.sy + ray.dz * hit.sz);
     double dx = ray.dx - twice * hit.sx;
     double dy = ray.dy - twice * hit.sy;
     double dz = ray.dz - twice * hit.sz;
     double length = Math.sqrt(dx * dx + dy * dy + dz * dz);
-    hit.spawn(dx / length, dy / length, dz / length, 1, ray);
+    if (plan.gloss().used() && gloss < Double.POSITIVE_INFINITY) {
+      numbers.draw(f.path + GLOSS);
+      lobe.spread(dx / length, dy / length, dz / length, gloss, numbers.u, numbers.v);
+      hit.spawn(lobe.x(), lobe.y(), lobe.z(), 1, ray);
+    } else {
+      hit.spawn(dx / length, dy / length, dz / length, 1, ray);
+    }
     f.begin(Double.POSITIVE_INFINITY, f.weightR, f.weightG, f.weightB);
     f.from = plan.refraction().used() ? -hit.lead(ray) : 0;
     f.path = (f.path + 1) * MIRRORED;

@@ -259,7 +259,8 @@ class YamlScenesTest {
                 Rgb.WHITE,
                 new Rgb(0.5, 0, 1),
                 new Medium(1.5, new Rgb(0, 0.25, 20), -3))
-            .textured(new Checker(0.5, Rgb.grey(0.25), new Rgb(1, 0, 0))),
+            .textured(new Checker(0.5, Rgb.grey(0.25), new Rgb(1, 0, 0)))
+            .glossy(12.5),
         scenes.get(1).placements().get(0).material());
   }
 

@@ -120,7 +120,8 @@ class RendererTest {
                   40,
                   Rgb.grey(0.6),
                   Rgb.BLACK)
-              .textured(new Stripes(0.3 * scale, Rgb.WHITE, new Rgb(0.2, 0.5, 0.7)));
+              .textured(new Stripes(0.3 * scale, Rgb.WHITE, new Rgb(0.2, 0.5, 0.7)))
+              .glossy(5000);
       Material picture =
           mirror.textured(new ImageTexture(Noise.of(5, 3), Layout.ONCE, Optional.empty()));
       Scene.Builder scene =

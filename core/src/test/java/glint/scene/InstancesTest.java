@@ -100,6 +100,7 @@ class InstancesTest {
             plan.images(),
             plan.highlights(),
             plan.mirrors(),
+            plan.gloss(),
             plan.refraction(),
             plan.sky());
     return Prepared.of(scene, without);

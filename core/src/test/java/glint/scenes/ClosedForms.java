@@ -41,6 +41,7 @@ final class ClosedForms {
     forms.lenses();
     forms.lamps();
     forms.blur();
+    forms.gloss();
     return forms.values;
   }
 
@@ -331,5 +332,12 @@ final class ClosedForms {
   /** The share of a disc beyond a line. */
   private static double beyond(double s) {
     return (PI / 2 - asin(s) - s * sqrt(1 - s * s)) / PI;
+  }
+
+  private void gloss() {
+    scene("gloss-white", new Rgb(0.25, 0.5, 0.75));
+    scene("gloss-gradient", new Rgb(1, 2, 4).times(0.5 * (1 + 9.0 / 10) / 2));
+    scene("gloss-ball", 1 - pow(0.8, 4));
+    scene("gloss-square", formFactor(1, 1));
   }
 }
