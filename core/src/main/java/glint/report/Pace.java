@@ -8,12 +8,18 @@ import java.util.Optional;
 /**
  * Renders to an error beside uniform sampling.
  *
- * @param samples uniform samples that reach the same error, interpolated
+ * @param samples uniform samples that reach the same error, interpolated, or beyond what was
+ *     measured by the law of the last doubling
+ * @param measured whether so many were measured
  * @param times how many times as much these cost: the ratio of efficiencies at equal error
  * @param interval where that lies, by a bootstrap over the runs of both
  * @param errorAtCost the error of uniform sampling at equal cost, in display levels
  */
-public record Pace(double samples, double times, Interval interval, double errorAtCost) {
+public record Pace(
+    double samples, boolean measured, double times, Interval interval, double errorAtCost) {
+
+  /** The logarithm by which errors of random samples fall with every doubling: √2. */
+  private static final double LEAST_FALL = 0.5 * StrictMath.log(2);
 
   /**
    * Compares.
@@ -32,28 +38,34 @@ public record Pace(double samples, double times, Interval interval, double error
         Interval.bootstrap(
             runs, drawn -> unit * samples(uniform, draw(target.errors(), drawn), drawn));
     double affordable = target.cost(cost) / perSample;
-    return Optional.of(new Pace(samples, unit * samples, interval, error(uniform, affordable)));
+    boolean measured = samples <= last(uniform).samples();
+    return Optional.of(
+        new Pace(samples, measured, unit * samples, interval, error(uniform, affordable)));
   }
 
   private static Measurement last(Curve curve) {
     return curve.points().get(curve.points().size() - 1);
   }
 
-  /** Returns how many samples reach an error, between points by a power law; NaN if none does. */
+  /** Returns how many samples reach an error, by a power law between points; NaN if none does. */
   private static double samples(Curve curve, double levels, int[] drawn) {
     double before = Double.NaN;
+    double error = Double.NaN;
+    Measurement last = null;
     for (Measurement point : curve.points()) {
-      double error = drawn == null ? point.error().levels() : draw(point.runs(), drawn);
-      if (error <= levels) {
-        if (point.samples() == 1 || !(error > 0)) {
-          return point.samples();
-        }
-        double share = StrictMath.log(before / levels) / StrictMath.log(before / error);
-        return point.samples() / 2.0 * StrictMath.pow(2, share);
-      }
       before = error;
+      error = drawn == null ? point.error().levels() : draw(point.runs(), drawn);
+      last = point;
+      if (error <= levels) {
+        break;
+      }
     }
-    return Double.NaN;
+    if (last.samples() == 1 || !(error > 0)) {
+      return error <= levels ? last.samples() : Double.NaN;
+    }
+    double fall = StrictMath.log(before / error);
+    double doublings = StrictMath.log(before / levels) / Math.max(fall, LEAST_FALL);
+    return last.samples() / 2.0 * StrictMath.pow(2, doublings);
   }
 
   /** Returns the error with some samples, between points and beyond them by a power law. */

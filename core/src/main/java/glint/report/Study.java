@@ -10,7 +10,7 @@ import java.util.List;
 public final class Study {
 
   /** Images of each number of samples: enough for a smooth curve and a steady median. */
-  public static final int RUNS = 16;
+  public static final int RUNS = 8;
 
   /** Rendering before anything is timed, in seconds: Java compiles what runs often. */
   private static final double WARM_UP = 1;

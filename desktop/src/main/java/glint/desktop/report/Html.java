@@ -9,9 +9,9 @@ final class Html {
       """
       :root { color-scheme: light dark; --ink: #222; --paper: #fff; --rule: #ddd; --tint: #f4f5f7; }
       @media (prefers-color-scheme: dark) { :root { --ink: #e2e4e8; --paper: #17191c; --rule: #3a3f46; --tint: #22262b; } }
-      body { font: 15px/1.5 sans-serif; color: var(--ink); background: var(--paper); max-width: 62em; margin: 2em auto; padding: 0 1em; }
+      body { font: 15px/1.5 sans-serif; color: var(--ink); background: var(--paper); max-width: 70em; margin: 2em auto; padding: 0 1em; }
       table { border-collapse: collapse; margin: 1em 0; font-size: 13px; }
-      th, td { padding: .2em .7em; border-bottom: 1px solid var(--rule); text-align: right; white-space: nowrap; }
+      th, td { padding: .2em .5em; border-bottom: 1px solid var(--rule); text-align: right; white-space: nowrap; }
       th:first-child, td:first-child { text-align: left; }
       tr:hover td { background: var(--tint); }
       code { background: var(--tint); padding: 0 .25em; border-radius: 3px; }

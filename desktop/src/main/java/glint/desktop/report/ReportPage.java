@@ -17,9 +17,11 @@ final class ReportPage {
 
   private static final String EQUAL =
       "A render to an error of one level, and uniform sampling with as many samples as have the same"
-          + " true error, between powers of two by a power law. Times faster is the ratio of"
-          + " efficiencies at that error, with its 95 % bootstrap interval over the runs of both;"
-          + " means are geometric. Other targets are among all figures.";
+          + " true error: between powers of two by a power law, beyond those that were measured by"
+          + " that of the last doubling. How many times faster it is, and with how many times fewer"
+          + " rays, is the ratio of efficiencies at that error, with its 95 % bootstrap interval over"
+          + " the runs of both. Means are geometric, over images of 1024 pixels and more. Other"
+          + " targets are among all figures.";
 
   private static final String HONEST =
       "Of each scene and target there are "
@@ -27,7 +29,8 @@ final class ReportPage {
           + " images with different seeds. Kept is the share of them whose true error is at most"
           + " the target; true over claimed is the median, over claims of at least 0.05 levels."
           + " Pixels are those of one image at a target of one level: σ is what a pixel claims, and"
-          + " a pixel is silent that claims less than 4 levels and is off by more. Pixels without"
+          + " a pixel is silent that claims less than 4 levels and is off by more; ranks stand for"
+          + " Spearman's correlation of claims and truth. Pixels without"
           + " any error, claimed or true, are left out.";
 
   private static final String BOUNCES =

@@ -22,6 +22,9 @@ final class TargetTables {
   /** The target of which there is a row for each scene. */
   private static final double MAIN = 1;
 
+  /** Images of fewer pixels do not count for means: starting takes longer than tracing them. */
+  private static final int PICTURE = 1024;
+
   private TargetTables() {}
 
   /** What a render to one level costs beside uniform sampling with the same true error. */
@@ -36,7 +39,7 @@ final class TargetTables {
           rows.add(row);
           Optional<Pace> seconds = Pace.of(entry.uniform(), runs, Cost.SECONDS);
           Optional<Pace> rays = Pace.of(entry.uniform(), runs, Cost.RAYS);
-          if (seconds.isPresent()) {
+          if (seconds.isPresent() && entry.width() * entry.height() >= PICTURE) {
             double[] times = {seconds.get().times(), rays.get().times()};
             files.computeIfAbsent(entry.file(), file -> new ArrayList<>()).add(times);
           }
@@ -57,14 +60,7 @@ final class TargetTables {
                     ratio(mean(times, 1)))));
     List<String> head =
         List.of(
-            "scene",
-            "true error",
-            "claimed",
-            "seconds",
-            "rays",
-            "uniform samples",
-            "times faster",
-            "times fewer rays");
+            "scene", "true error", "claimed", "seconds", "rays", "uniform", "faster", "fewer rays");
     return new Block.Grid(head, rows);
   }
 
@@ -83,9 +79,9 @@ final class TargetTables {
             "claimed",
             "seconds",
             "rays",
-            "uniform samples",
-            "times faster",
-            "times fewer rays");
+            "uniform",
+            "faster",
+            "fewer rays");
     return new Block.Grid(head, rows);
   }
 
@@ -96,9 +92,9 @@ final class TargetTables {
     row.add(Numbers.prefixed(runs.rays().total(), ""));
     Optional<Pace> seconds = Pace.of(uniform, runs, Cost.SECONDS);
     Optional<Pace> rays = Pace.of(uniform, runs, Cost.RAYS);
-    row.add(seconds.map(p -> Numbers.digits(Math.ceil(p.samples()))).orElse("more"));
-    row.add(seconds.map(TargetTables::times).orElse("more"));
-    row.add(rays.map(TargetTables::times).orElse("more"));
+    row.add(seconds.map(TargetTables::samples).orElse("–"));
+    row.add(seconds.map(TargetTables::times).orElse("–"));
+    row.add(rays.map(TargetTables::times).orElse("–"));
   }
 
   /** What error either way of sampling has at the time that renders to an error take. */
@@ -172,11 +168,11 @@ final class TargetTables {
             "scene",
             "kept",
             "true over claimed",
-            "claimed over true, pixels",
+            "pixels: claimed over true",
             "within 1 σ",
             "2 σ",
             "3 σ",
-            "rank correlation",
+            "ranks",
             "silent");
     return new Block.Grid(head, rows);
   }
@@ -197,9 +193,14 @@ final class TargetTables {
     return Math.exp(sum / values.size());
   }
 
+  private static String samples(Pace pace) {
+    String samples = Numbers.digits(Math.ceil(pace.samples()));
+    return pace.measured() ? samples : "about " + samples;
+  }
+
   private static String times(Pace pace) {
     String low = ratio(pace.interval().low());
-    return ratio(pace.times()) + " (" + low + " to " + ratio(pace.interval().high()) + ")";
+    return ratio(pace.times()) + " (" + low + "–" + ratio(pace.interval().high()) + ")";
   }
 
   private static String ratio(double value) {
