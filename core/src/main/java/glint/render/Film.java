@@ -43,6 +43,9 @@ final class Film {
   /** Whether the middle was looked at. */
   final boolean[] checked;
 
+  /** Whether the middle is of a kind with the upper left corner, if it was looked at. */
+  final boolean[] middleAsCorner;
+
   /** The logarithm to base 2 of the number of samples; 0 for none. */
   final byte[] level;
 
@@ -91,6 +94,7 @@ final class Film {
     surroundings = new byte[count];
     random = new boolean[count];
     checked = new boolean[count];
+    middleAsCorner = new boolean[count];
     level = new byte[count];
     own = new float[count];
     doubt = new float[count];

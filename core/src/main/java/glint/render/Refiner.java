@@ -95,6 +95,7 @@ final class Refiner {
     int c = a + corners.stride;
     boolean finite = probe.trace(x + 0.5, y + 0.5);
     long middle = probe.signature();
+    film.middleAsCorner[pixel] = middle == met[a];
     return !finite
         || (middle != met[a] && middle != met[a + 1] && middle != met[c] && middle != met[c + 1]);
   }
@@ -107,7 +108,7 @@ final class Refiner {
   void estimate(int x, int y) {
     int pixel = y * film.width + x;
     if (film.kind[pixel] == Film.SPLIT) {
-      if (split.look(x, y)) {
+      if (split.look(x, y) && split.agrees(film.middleAsCorner[pixel])) {
         film.image.set(x, y, split.mean(0), split.mean(1), split.mean(2));
         film.doubt[pixel] = (float) split.doubt(scale);
         film.own[pixel] = (float) split.variance(scale) + film.doubt[pixel];

@@ -12,7 +12,7 @@ import java.util.Map;
 final class Rounds {
 
   /** By how much the true error may be above the estimates of the model; found on many scenes. */
-  private static final double CALIBRATION = 1.2;
+  private static final double CALIBRATION = 1.25;
 
   /** Rounds after which the models are audited at the latest. */
   private static final int EARLY_ROUNDS = 4;
@@ -76,7 +76,7 @@ final class Rounds {
     int audits = 0;
     for (int round = 0; ; round++) {
       sides.learn();
-      estimate();
+      estimate(round == 0);
       model.learn();
       double error = error(allocation.total());
       boolean reached = error <= levels;
@@ -183,8 +183,8 @@ final class Rounds {
     sampling.run(Refiner.FIRST);
   }
 
-  /** Estimates anew what can have changed: pixels without samples. */
-  private void estimate() throws InterruptedException {
+  /** Estimates pixels without samples; smooth ones, which do not change, only at first. */
+  private void estimate(boolean first) throws InterruptedException {
     crew.run(
         tiles.count(),
         (refiner, i) ->
@@ -192,10 +192,10 @@ final class Rounds {
                 i,
                 (x, y) -> {
                   int pixel = y * film.width + x;
-                  if (film.level[pixel] == 0) {
-                    refiner.estimate(x, y);
-                  } else {
+                  if (film.level[pixel] > 0) {
                     film.compare(x, y);
+                  } else if (first || film.kind[pixel] != Film.SMOOTH) {
+                    refiner.estimate(x, y);
                   }
                 }));
   }

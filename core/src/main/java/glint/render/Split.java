@@ -6,6 +6,9 @@ package glint.render;
  */
 final class Split {
 
+  /** What lies nearer to an edge than this, in pixels, may be on either side. */
+  private static final double NEAR = 0.02;
+
   private final CornerGrid corners;
   private final Sides sides;
 
@@ -200,6 +203,21 @@ final class Split {
   double at(int channel, double u, double v) {
     boolean near = (side(u, v) < 0) == (orientation < 0);
     return near ? first[channel] : second[channel];
+  }
+
+  /**
+   * Returns whether the middle of the pixel is on the side of the edge where it was seen to be, or
+   * so near to it that nobody knows.
+   */
+  boolean agrees(boolean middleAsCorner) {
+    double dx = x[1] - x[0];
+    double dy = y[1] - y[0];
+    double length = Math.sqrt(dx * dx + dy * dy);
+    double bracket = Math.max(sides.length(crossed[0]), sides.length(crossed[1]));
+    double sag = 1.5 * (Math.abs(bulge) + doubt);
+    double middle = side(0.5, 0.5);
+    boolean near = Math.abs(middle) <= length * (bracket + NEAR) + sag;
+    return near || (middle < 0) == (orientation < 0) == middleAsCorner;
   }
 
   private double side(double u, double v) {
