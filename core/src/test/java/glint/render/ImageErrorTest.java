@@ -90,7 +90,7 @@ class ImageErrorTest {
 
   /** From near, where it is smooth, to far; what is smooth is not sampled. */
   @ParameterizedTest
-  @CsvSource({"0.02, 1.5", "0.2, 60", "0.6, 20", "0.9, 40", "1.7, 90", "7.9, 600"})
+  @CsvSource({"0.02, 1.5", "0.2, 60", "0.6, 24", "0.9, 40", "1.7, 90", "7.9, 600"})
   void noiseIsAsExactAsClaimed(double perPixel, double mostSamples) {
     ImageTexture texture = texture(NOISE, perPixel);
     Scene scene = view().place(Placement.of(screen(), Material.WHITE.textured(texture))).build();
