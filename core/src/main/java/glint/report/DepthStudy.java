@@ -4,6 +4,7 @@ import glint.image.Image;
 import glint.render.Goal;
 import glint.render.RenderResult;
 import glint.render.RenderSettings;
+import glint.render.Statistics;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Set;
@@ -18,8 +19,8 @@ public record DepthStudy(List<Point> points) {
   /** Samples of a pixel: what is compared shares them, so that few are enough. */
   private static final int SAMPLES = 4;
 
-  /** Images of which the fastest counts. */
-  private static final int RUNS = 3;
+  /** Images of each depth, by turns, of which the fastest counts. */
+  private static final int RUNS = 5;
 
   /**
    * A limit of bounces.
@@ -38,24 +39,26 @@ public record DepthStudy(List<Point> points) {
     RenderSettings free = settings.aiming(goal, settings.seed(), Set.of());
     int deepest = render.render(free).statistics().rays().maxDepth;
     Image all = render.render(free.atDepth(deepest)).image();
-    List<Point> points = new ArrayList<>();
+    List<Integer> depths = new ArrayList<>();
     for (int depth = 0; depth < deepest; depth = depth == 0 ? 1 : 2 * depth) {
-      points.add(point(render, free, depth, all, truth));
+      depths.add(depth);
     }
-    points.add(point(render, free, deepest, all, truth));
-    return new DepthStudy(List.copyOf(points));
-  }
-
-  private static Point point(
-      Study.Render render, RenderSettings free, int depth, Image all, Reference truth) {
-    RenderResult result = null;
-    double seconds = Double.POSITIVE_INFINITY;
+    depths.add(deepest);
+    Point[] points = new Point[depths.size()];
     for (int run = 0; run < RUNS; run++) {
-      result = render.render(free.atDepth(depth));
-      seconds = Math.min(seconds, result.statistics().renderSeconds());
+      for (int i = 0; i < points.length; i++) {
+        RenderResult result = render.render(free.atDepth(depths.get(i)));
+        Statistics s = result.statistics();
+        double before = run == 0 ? s.renderSeconds() : points[i].seconds;
+        points[i] =
+            new Point(
+                depths.get(i),
+                Errors.between(result.image(), all, truth.transfer()).levels(),
+                s.truncation(),
+                Math.min(before, s.renderSeconds()),
+                s.rays().total());
+      }
     }
-    double error = Errors.between(result.image(), all, truth.transfer()).levels();
-    double bound = result.statistics().truncation();
-    return new Point(depth, error, bound, seconds, result.statistics().rays().total());
+    return new DepthStudy(List.of(points));
   }
 }

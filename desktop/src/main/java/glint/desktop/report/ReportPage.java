@@ -73,7 +73,10 @@ final class ReportPage {
     page.add(TargetTables.honesty(report));
     String reliability = ReliabilityChart.of(report);
     page.add(
-        new Block.Figure(files + "-reliability.svg", "True errors against claims", reliability));
+        new Block.Figure(
+            files + "-reliability.svg",
+            "True errors against claims; what lies outside stands at the border",
+            reliability));
     page.add(TargetTables.calibration(report));
     page.add(new Block.Heading(2, "As many samples for every pixel"));
     page.add(errors());
