@@ -26,6 +26,9 @@ final class Allocation {
   /** The same where an edge is known twice as well. */
   private static final double HALVED = 0.25;
 
+  /** Pixels of so small a share of the variance accepted need not be refined for it. */
+  private static final double NOTHING = 0.01;
+
   /** An edge is searched while its variance is more than this share of what it leaves. */
   private static final double SEARCHED = 0.2;
 
@@ -64,8 +67,12 @@ final class Allocation {
   /** Sets what is worth doing, to bring the last {@link #total} down to a goal. */
   void aim(double goal) {
     Arrays.fill(gain, 0);
+    double nothing = NOTHING * goal / film.kind.length;
     for (int pixel = 0; pixel < film.kind.length; pixel++) {
-      foresee(pixel);
+      double variance = model.variance(pixel);
+      if (variance > nothing) {
+        foresee(pixel, variance);
+      }
     }
     double left = margin * total;
     threshold = BINS;
@@ -76,8 +83,8 @@ final class Allocation {
   }
 
   /** Gathers what the next steps gain; none counts for more than one before it. */
-  private void foresee(int pixel) {
-    double variance = model.variance(pixel);
+  private void foresee(int pixel, double now) {
+    double variance = now;
     double searched = searches(pixel) ? film.own[pixel] - film.doubt[pixel] : 0;
     double samples = film.samples(pixel);
     double worth = Double.POSITIVE_INFINITY;

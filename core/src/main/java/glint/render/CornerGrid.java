@@ -25,6 +25,9 @@ final class CornerGrid {
   /** Linear radiance, three numbers a corner. */
   final double[] rgb;
 
+  /** The same in levels. */
+  private final float[] levels;
+
   /** Where in its images each corner's ray looked, in their pixels; empty if there are none. */
   private final float[] image;
 
@@ -45,13 +48,14 @@ final class CornerGrid {
     signature = new long[stride * rows];
     first = new int[stride * rows];
     rgb = new double[3 * stride * rows];
+    levels = new float[3 * stride * rows];
     random = new boolean[stride * rows];
     cut = new float[stride * rows];
     image = new float[images ? 2 * stride * rows : 0];
   }
 
   /** Traces a corner; one that is not finite is black and unlike any other. */
-  void trace(Probe probe, int x, int y) {
+  void trace(Probe probe, LevelScale scale, int x, int y) {
     int at = y * stride + x;
     boolean finite = probe.trace(x, y);
     signature[at] = finite ? probe.signature() : at;
@@ -60,6 +64,9 @@ final class CornerGrid {
     rgb[3 * at] = finite ? probe.r() : 0;
     rgb[3 * at + 1] = finite ? probe.g() : 0;
     rgb[3 * at + 2] = finite ? probe.b() : 0;
+    for (int i = 3 * at; i < 3 * at + 3; i++) {
+      levels[i] = (float) scale.level(rgb[i]);
+    }
     cut[at] = finite ? (float) probe.cut() : 0;
     if (image.length > 0) {
       image[2 * at] = (float) probe.imageX();
@@ -102,7 +109,7 @@ final class CornerGrid {
    * Returns the variance, in levels² and the mean over channels, of the up to 16 corners of a pixel
    * and its neighbours.
    */
-  double contrast(int x, int y, LevelScale scale) {
+  double contrast(int x, int y) {
     double variance = 0;
     for (int channel = 0; channel < 3; channel++) {
       double sum = 0;
@@ -110,7 +117,7 @@ final class CornerGrid {
       int count = 0;
       for (int row = Math.max(0, y - 1); row <= Math.min(rows - 1, y + 2); row++) {
         for (int column = Math.max(0, x - 1); column <= Math.min(stride - 1, x + 2); column++) {
-          double level = scale.level(rgb[3 * (row * stride + column) + channel]);
+          double level = levels[3 * (row * stride + column) + channel];
           sum += level;
           squares += level * level;
           count++;

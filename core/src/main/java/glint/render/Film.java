@@ -175,6 +175,16 @@ final class Film {
     return level[pixel] > 0 && samples(pixel) * own[pixel] > FOUND;
   }
 
+  /** Returns whether that is so of any pixel taken for smooth. */
+  boolean foundMoreInSmooth() {
+    for (int pixel = 0; pixel < kind.length; pixel++) {
+      if (kind[pixel] == SMOOTH && foundMore(pixel)) {
+        return true;
+      }
+    }
+    return false;
+  }
+
   /** Returns whether an unsampled smooth pixel lies beside one whose samples have found more. */
   boolean mayHideMore(int pixel) {
     if (kind[pixel] != SMOOTH || level[pixel] > 0) {

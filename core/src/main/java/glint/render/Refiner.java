@@ -53,7 +53,7 @@ final class Refiner {
     crossings += met[a + 1] != met[c + 1] ? 1 : 0;
     int pixel = y * film.width + x;
     film.kind[pixel] = crossings == 0 ? Film.SMOOTH : crossings == 2 ? Film.SPLIT : Film.BUSY;
-    film.contrast[pixel] = (float) corners.contrast(x, y, scale);
+    film.contrast[pixel] = (float) corners.contrast(x, y);
     // Of an image that shows no contrast, audits tell whether there is none.
     boolean detailed = film.contrast[pixel] > VISIBLE && corners.leapsOverDetail(x, y);
     film.random[pixel] = corners.isRandom(x, y);

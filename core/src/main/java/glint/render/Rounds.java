@@ -32,6 +32,7 @@ final class Rounds {
   private final Film film;
   private final CornerGrid corners;
   private final Sides sides;
+  private final LevelScale scale;
   private final ErrorModel model;
   private final Allocation allocation;
   private final Sampling sampling;
@@ -54,6 +55,7 @@ final class Rounds {
     this.film = film;
     this.corners = corners;
     this.sides = sides;
+    this.scale = scale;
     this.crew = crew;
     model = new ErrorModel(film);
     allocation = new Allocation(film, model);
@@ -148,7 +150,7 @@ final class Rounds {
     y1 += y1 == film.height ? 1 : 0;
     for (int y = tiles.beginY(tile); y < y1; y++) {
       for (int x = tiles.beginX(tile); x < x1; x++) {
-        corners.trace(refiner.probe, x, y);
+        corners.trace(refiner.probe, scale, x, y);
       }
     }
   }
@@ -204,11 +206,12 @@ final class Rounds {
   private boolean refine() throws InterruptedException {
     Refiner any = crew.workers().get(0);
     boolean worked = false;
+    boolean found = film.foundMoreInSmooth();
     for (int pixel = 0; pixel < film.kind.length; pixel++) {
       boolean worth = allocation.worth(pixel) && film.level[pixel] < MOST;
       if (worth && allocation.searches(pixel)) {
         any.want(pixel % film.width, pixel / film.width);
-      } else if (worth || film.mayHideMore(pixel)) {
+      } else if (worth || (found && film.mayHideMore(pixel))) {
         sampling.choose(pixel);
       }
       worked |= worth;
