@@ -194,9 +194,8 @@ final class Rounds {
                 i,
                 (x, y) -> {
                   int pixel = y * film.width + x;
-                  if (film.level[pixel] > 0) {
-                    film.compare(x, y);
-                  } else if (first || film.kind[pixel] != Film.SMOOTH) {
+                  boolean changes = first || film.kind[pixel] != Film.SMOOTH;
+                  if (changes && film.level[pixel] == 0) {
                     refiner.estimate(x, y);
                   }
                 }));

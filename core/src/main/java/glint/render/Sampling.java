@@ -51,6 +51,7 @@ final class Sampling {
           }
         });
     for (int i = 0; i < count; i++) {
+      film.compare(chosen[i] % film.width, chosen[i] / film.width);
       model.note(chosen[i], moved[i]);
     }
     count = 0;
