@@ -120,6 +120,34 @@ class TargetRenderTest {
     assertEquals(s.meanSamples(), rays / (SIZE * SIZE), 1e-9);
   }
 
+  /** Of the pixels that an edge crosses, as many are within twice their own estimates as should. */
+  @Test
+  void mostPixelsAreWithinTwiceTheirOwnEstimates() {
+    Random random = new Random(7);
+    int crossed = 0;
+    int within = 0;
+    for (int i = 0; i < 60; i++) {
+      double angle = random.nextDouble() * 2 * Math.PI;
+      double distance = SIZE * (random.nextDouble() - 0.5);
+      RenderSettings settings =
+          new RenderSettings(
+              SIZE, SIZE, new Goal.Error(1), i, OptionalInt.empty(), 2, 8, Set.of(Aov.ERROR));
+      RenderResult result =
+          new Renderer(Prepared.of(halfPlane(angle, distance)), settings).render(Progress.NONE);
+      double[] claims = result.aovs().get(Aov.ERROR).rgb();
+      for (int pixel = 0; pixel < SIZE * SIZE; pixel++) {
+        double truth = coverage(pixel, angle, distance);
+        if (truth > 1e-9 && truth < 1 - 1e-9) {
+          double error = 255 * Math.abs(result.image().rgb()[3 * pixel] - truth);
+          crossed++;
+          within += error <= 2 * claims[3 * pixel] ? 1 : 0;
+        }
+      }
+    }
+    double share = (double) within / crossed;
+    assertTrue(share >= 0.95, () -> "only " + share);
+  }
+
   /** Edges that fall between two pixels cross no pixel, but all rays through corners there. */
   @Test
   void edgesJustAlongPixelsAreFoundInFull() {
@@ -230,15 +258,18 @@ class TargetRenderTest {
   private static double halfPlaneError(RenderResult result, double angle, double distance) {
     double sum = 0;
     for (int i = 0; i < SIZE * SIZE; i++) {
-      int column = i % SIZE;
-      int row = i / SIZE;
-      double x = column + 0.5 - SIZE / 2.0;
-      double y = SIZE / 2.0 - (row + 0.5);
-      double s = distance - x * Math.cos(angle) - y * Math.sin(angle);
-      double error = 255 * (result.image().rgb()[3 * i] - coverage(angle, s));
+      double error = 255 * (result.image().rgb()[3 * i] - coverage(i, angle, distance));
       sum += error * error;
     }
     return Math.sqrt(sum / (SIZE * SIZE));
+  }
+
+  /** Returns the share of a pixel that lies in a half-plane. */
+  private static double coverage(int pixel, double angle, double distance) {
+    int row = pixel / SIZE;
+    double x = pixel % SIZE + 0.5 - SIZE / 2.0;
+    double y = SIZE / 2.0 - (row + 0.5);
+    return coverage(angle, distance - x * Math.cos(angle) - y * Math.sin(angle));
   }
 
   /** The share of a unit square on the near side of a line at a distance from its centre. */
