@@ -10,7 +10,14 @@ final class Machine {
 
   private static final Path CPU = Path.of("/proc/cpuinfo");
 
+  private static final Path LOAD = Path.of("/proc/loadavg");
+
   private Machine() {}
+
+  /** Returns how many threads wanted to run in the last minute, as far as the machine says it. */
+  static String load() throws IOException {
+    return Files.isReadable(LOAD) ? Files.readString(LOAD).split(" ")[0] : "unknown";
+  }
 
   /** Returns commit, Java, and the machine: as far as it says what it is. */
   static String with(String commit) throws IOException {

@@ -1,6 +1,7 @@
 package glint.bench;
 
 import glint.image.Image;
+import java.io.BufferedInputStream;
 import java.io.DataInputStream;
 import java.io.IOException;
 import java.io.InputStream;
@@ -9,9 +10,13 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
 
 /** POV-Ray 3.7, as an outside program. */
 final class Povray {
+
+  private static final Pattern CPU_SECONDS = Pattern.compile("with ([0-9.]+) CPU-seconds");
 
   private final Path folder;
   private final Path log;
@@ -53,16 +58,40 @@ final class Povray {
    * @param law the value of the scene's variable {@code Law}
    */
   Image render(String name, int width, int height, int law) throws IOException {
+    return render(name, width, height, 1, List.of("-A", "Declare=Law=" + law));
+  }
+
+  /**
+   * Renders NAME.pov on one thread, linear, 16 bits a channel.
+   *
+   * @param finer the mean of so many by so many pixels is one of the image
+   * @param options what else it is told
+   */
+  Image render(String name, int width, int height, int finer, List<String> options)
+      throws IOException {
     Path out = Files.createTempFile(log.getParent(), name, ".ppm");
     List<String> command = new ArrayList<>(List.of("povray", "+I" + name + ".pov", "+O" + out));
-    command.addAll(List.of("+W" + width, "+H" + height, "+FP16", "File_Gamma=1.0"));
-    command.addAll(List.of("-A", "-D", "+WT1", "Declare=Law=" + law));
+    command.addAll(List.of("+W" + finer * width, "+H" + finer * height));
+    command.addAll(List.of("+FP16", "File_Gamma=1.0", "-D", "-V", "-J", "+WT1"));
+    command.addAll(options);
     run(command);
-    try (InputStream in = Files.newInputStream(out)) {
-      return read(new DataInputStream(in));
+    try (InputStream in = new BufferedInputStream(Files.newInputStream(out))) {
+      return read(new DataInputStream(in), finer);
     } finally {
       Files.delete(out);
     }
+  }
+
+  /** Returns the CPU seconds of tracing the last image, by its own account. */
+  double traceSeconds() throws IOException {
+    List<String> lines = Files.readAllLines(log);
+    for (int i = 0; i + 1 < lines.size(); i++) {
+      Matcher seconds = CPU_SECONDS.matcher(lines.get(i + 1));
+      if (lines.get(i).contains("Trace Time:") && seconds.find()) {
+        return Double.parseDouble(seconds.group(1));
+      }
+    }
+    throw new IOException("povray does not say how long it traced: see " + log);
   }
 
   private void run(List<String> command) throws IOException {
@@ -79,15 +108,23 @@ final class Povray {
   }
 
   /** Reads a portable pixel map (ppm(5) of Netpbm) of 16 bits a channel. */
-  private static Image read(DataInputStream in) throws IOException {
+  private static Image read(DataInputStream in, int finer) throws IOException {
     String magic = word(in);
-    Image image = new Image(Integer.parseInt(word(in)), Integer.parseInt(word(in)));
+    int width = Integer.parseInt(word(in));
+    int height = Integer.parseInt(word(in));
     double white = Integer.parseInt(word(in));
     if (!magic.equals("P6") || white < 256) {
       throw new IOException(String.format(Locale.ROOT, "no 16-bit PPM: %s %.0f", magic, white));
     }
-    for (int i = 0; i < image.rgb().length; i++) {
-      image.rgb()[i] = in.readUnsignedShort() / white;
+    Image image = new Image(width / finer, height / finer);
+    double share = 1 / (white * finer * finer);
+    for (int y = 0; y < height; y++) {
+      for (int x = 0; x < width; x++) {
+        int at = 3 * (y / finer * image.width() + x / finer);
+        for (int channel = 0; channel < 3; channel++) {
+          image.rgb()[at + channel] += share * in.readUnsignedShort();
+        }
+      }
     }
     return image;
   }

@@ -119,6 +119,14 @@ public final class PovrayTable {
     sheet.setRGB(x, y, image.width(), image.height(), argb, 0, image.width());
   }
 
+  /** Returns a picture of an image. */
+  static BufferedImage picture(Image image) {
+    BufferedImage picture =
+        new BufferedImage(image.width(), image.height(), BufferedImage.TYPE_INT_RGB);
+    put(picture, 0, 0, image);
+    return picture;
+  }
+
   /** The absolute difference in levels, magnified, as a picture. */
   private static Image difference(Image a, Image b) {
     Image out = new Image(a.width(), a.height());
