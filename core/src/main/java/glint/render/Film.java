@@ -134,7 +134,7 @@ final class Film {
     if (seen.area() > LARGE) {
       contrast[pixel] = Math.max(contrast[pixel], (float) seen.doubt);
     } else {
-      contrast[pixel] = 0;
+      contrast[pixel] = random[pixel] ? contrast[pixel] : 0;
       focus.put(pixel, seen);
     }
   }
@@ -150,7 +150,7 @@ final class Film {
    */
   void compare(int x, int y) {
     int pixel = y * width + x;
-    if (kind[pixel] != BUSY || focus.containsKey(pixel)) {
+    if (kind[pixel] != BUSY || (focus.containsKey(pixel) && !random[pixel])) {
       return;
     }
     double sum = 0;
