@@ -17,9 +17,6 @@ final class Allocation {
   /** Steps foreseen for a pixel. */
   private static final int STEPS = 16;
 
-  /** What is left of a variance after twice as many samples. */
-  private static final double DOUBLED = 1 / (2 * Math.sqrt(2));
-
   /** The same after the first samples. */
   private static final double SAMPLED = 0.3;
 
@@ -87,6 +84,7 @@ final class Allocation {
     double variance = now;
     double searched = searches(pixel) ? film.own[pixel] - film.doubt[pixel] : 0;
     double samples = film.samples(pixel);
+    double doubled = model.doubled(pixel);
     double worth = Double.POSITIVE_INFINITY;
     for (int step = 0; step < STEPS && variance > 0; step++) {
       double less;
@@ -102,7 +100,7 @@ final class Allocation {
       } else {
         cost = samples;
         samples *= 2;
-        less = variance * (1 - DOUBLED);
+        less = variance * (1 - doubled);
       }
       worth = Math.min(worth, less / cost);
       gain[bin(worth)] += less;
@@ -137,7 +135,7 @@ final class Allocation {
 
   private double rest(int pixel) {
     if (film.level[pixel] > 0) {
-      return DOUBLED;
+      return model.doubled(pixel);
     }
     if (!searches(pixel)) {
       return SAMPLED;

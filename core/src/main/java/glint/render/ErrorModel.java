@@ -9,8 +9,9 @@ import java.util.Arrays;
  * <p>Samples are spread evenly, so their mean is better than that of independent ones, by how much
  * depends on the image. With V(n) the variance of the mean of n samples of one scrambled sequence,
  * the mean moves by V(n/2) - V(n), squared and on average, when their number doubles; where V falls
- * like n^-1.5, as it does at edges, V(n) is that over 2^1.5 - 1. Summed over all pixels with n
- * samples, this says how much better they are than independent ones.
+ * like n^-1.5, as it does at edges, V(n) is that over 2^1.5 - 1; of random samples, how moves fall
+ * from doubling to doubling tells the exponent. Summed over all pixels with n samples, this says
+ * how much better they are than independent ones.
  *
  * <p>What the model of an unsampled pixel gets wrong is learned from audits: samples of a few
  * pixels of every kind and surroundings, in relation to the contrast around them.
@@ -20,8 +21,19 @@ final class ErrorModel {
   /** V(n/2) over V(n) at edges, less one. */
   private static final double FALL = 2 * Math.sqrt(2) - 1;
 
-  /** Levels of doubling, and twice that: for pixels without and with a model. */
+  /** The least of it: samples are no worse than independent ones. */
+  private static final double LEAST_FALL = 1;
+
+  /** As how many pixels it counts that random samples become better like those at edges. */
+  private static final int EDGES = 50;
+
+  /** Levels of doubling. */
   private static final int LEVELS = 32;
+
+  /** So many for pixels without a model, with one, and with random samples. */
+  private static final int KINDS = 3 * LEVELS;
+
+  private static final int RANDOM = 2 * LEVELS;
 
   /** Kinds times surroundings. */
   private static final int GROUPS = 32;
@@ -42,14 +54,15 @@ final class ErrorModel {
   private static final double AROUND = 3;
 
   private final Film film;
-  private final double[] moved = new double[2 * LEVELS];
-  private final double[] spread = new double[2 * LEVELS];
-  private final int[] pixels = new int[2 * LEVELS];
+  private final double[] moved = new double[KINDS];
+  private final double[] spread = new double[KINDS];
+  private final int[] pixels = new int[KINDS];
   private final double[] wrong = new double[GROUPS];
   private final double[] contrast = new double[GROUPS];
   private final int[] audits = new int[GROUPS];
   private final double[] ratio = new double[GROUPS];
-  private final double[] gain = new double[2 * LEVELS];
+  private final double[] gain = new double[KINDS];
+  private double randomFall;
 
   ErrorModel(Film film) {
     this.film = film;
@@ -90,11 +103,16 @@ final class ErrorModel {
 
   /** Draws conclusions from what was noted; call it after notes, before estimates. */
   void learn() {
-    for (int kind = 0; kind < 2 * LEVELS; kind++) {
+    randomFall = findRandomFall();
+    for (int kind = 0; kind < KINDS; kind++) {
       double expected = 0.66 / Math.sqrt(Math.scalb(1.0, kind % LEVELS));
       double weight = pixels[kind] == 0 ? 1 : 20 * spread[kind] / pixels[kind];
       double total = spread[kind] + weight;
-      gain[kind] = total > 0 ? (moved[kind] / FALL + weight * expected) / total : expected;
+      double steep = kind < RANDOM ? FALL : randomFall;
+      gain[kind] = total > 0 ? (moved[kind] / steep + weight * expected) / total : expected;
+    }
+    for (int kind = KINDS - 2; kind >= RANDOM; kind--) {
+      foresee(kind);
     }
     for (int first = 0; first < GROUPS; first += 16) {
       double allWrong = 0;
@@ -115,6 +133,40 @@ final class ErrorModel {
     }
   }
 
+  /**
+   * Corrects the gain of random samples by those with twice as many: V(n) is their move and V(2n).
+   */
+  private void foresee(int kind) {
+    double next = spread[kind + 1] > 0 ? moved[kind + 1] / spread[kind + 1] : 0;
+    double share = pixels[kind + 1] / (double) (pixels[kind + 1] + EDGES);
+    gain[kind] += share * (0.5 * (next + gain[kind + 1]) - gain[kind]);
+  }
+
+  /**
+   * Finds V(n/2) over V(n), less one, of random samples. With V falling like n^-p, moves compared
+   * with what independent samples would make of them fall like n^(1-p), from doubling to doubling.
+   * The first moves are another matter: they show what is even in the pixel.
+   */
+  private double findRandomFall() {
+    double sum = EDGES * -0.5;
+    double weights = EDGES;
+    for (int kind = RANDOM + Refiner.FIRST + 2; kind < KINDS; kind++) {
+      if (moved[kind] > 0 && moved[kind - 1] > 0 && spread[kind] > 0 && spread[kind - 1] > 0) {
+        double before = moved[kind - 1] / spread[kind - 1];
+        double weight = Math.min(pixels[kind], pixels[kind - 1]);
+        sum += weight * StrictMath.log(moved[kind] / spread[kind] / before) / StrictMath.log(2);
+        weights += weight;
+      }
+    }
+    double fall = StrictMath.pow(2, 1 - sum / weights) - 1;
+    return Math.min(Math.max(fall, LEAST_FALL), FALL);
+  }
+
+  /** Returns what is left of a sampled pixel's variance after twice as many samples. */
+  double doubled(int pixel) {
+    return 1 / (1 + (film.random[pixel] ? randomFall : FALL));
+  }
+
   /** Returns the estimate of a pixel's variance. */
   double variance(int pixel) {
     if (film.level[pixel] == 0) {
@@ -130,6 +182,9 @@ final class ErrorModel {
   }
 
   private int kind(int pixel) {
+    if (film.random[pixel]) {
+      return RANDOM + film.level[pixel];
+    }
     return (film.kind[pixel] == Film.BUSY ? 0 : LEVELS) + film.level[pixel];
   }
 

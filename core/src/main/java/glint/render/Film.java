@@ -61,7 +61,7 @@ final class Film {
   /** The parts of pixels that are sampled by themselves, by pixel. */
   final Map<Integer, Focus> focus = new HashMap<>();
 
-  /** What single samples find around a busy pixel, in levels². */
+  /** What single samples around a pixel of random ones find: as much would here be, in levels². */
   final float[] noise;
 
   /** Where the sums of a sampled pixel stand, or -1. */
@@ -164,10 +164,31 @@ final class Film {
         }
       }
     }
-    if (count > 0) {
-      noise[pixel] = (float) (sum / count);
-      contrast[pixel] = Math.max(contrast[pixel], noise[pixel]);
+    contrast[pixel] =
+        count == 0 ? contrast[pixel] : Math.max(contrast[pixel], (float) (sum / count));
+  }
+
+  /**
+   * Returns the mean variance, linear, of single samples of the sampled pixels around one.
+   *
+   * @param channel of the colour
+   */
+  double noiseAround(int x, int y, int channel) {
+    double sum = 0;
+    int count = 0;
+    for (int row = Math.max(0, y - 1); row <= Math.min(height - 1, y + 1); row++) {
+      for (int column = Math.max(0, x - 1); column <= Math.min(width - 1, x + 1); column++) {
+        int other = row * width + column;
+        boolean here = row == y && column == x;
+        if (!here && level[other] > 0 && !focus.containsKey(other)) {
+          int at = SLOT * slot[other] + channel;
+          int n = Math.max(2, valid[slot[other]]);
+          sum += Math.max(0, sums[at + 3] - sums[at] * sums[at] / n) / (n - 1);
+          count++;
+        }
+      }
     }
+    return count == 0 ? 0 : sum / count;
   }
 
   /** Returns whether samples of a pixel differ much from what its model says. */

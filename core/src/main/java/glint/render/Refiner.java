@@ -239,6 +239,19 @@ final class Refiner {
     return moved / 3;
   }
 
+  /** Estimates what as much noise as there is around would be in this pixel. */
+  void listen(int x, int y) {
+    int pixel = y * film.width + x;
+    int n = film.samples(pixel);
+    double sum = 0;
+    for (int channel = 0; channel < 3; channel++) {
+      double mean = film.image.rgb()[3 * pixel + channel];
+      double spread = Math.sqrt(film.noiseAround(x, y, channel) / n);
+      sum += n * scale.squaredError(mean, spread);
+    }
+    film.noise[pixel] = (float) (sum / 3);
+  }
+
   private void keepMean(int slot) {
     int count = Math.max(1, film.valid[slot]);
     for (int channel = 0; channel < 3; channel++) {

@@ -195,7 +195,9 @@ final class Rounds {
                 (x, y) -> {
                   int pixel = y * film.width + x;
                   boolean changes = first || film.kind[pixel] != Film.SMOOTH;
-                  if (changes && film.level[pixel] == 0) {
+                  if (film.level[pixel] > 0 && film.random[pixel]) {
+                    refiner.listen(x, y);
+                  } else if (changes && film.level[pixel] == 0) {
                     refiner.estimate(x, y);
                   }
                 }));

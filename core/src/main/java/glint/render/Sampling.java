@@ -51,7 +51,12 @@ final class Sampling {
           }
         });
     for (int i = 0; i < count; i++) {
-      film.compare(chosen[i] % film.width, chosen[i] / film.width);
+      int x = chosen[i] % film.width;
+      int y = chosen[i] / film.width;
+      film.compare(x, y);
+      if (film.random[chosen[i]]) {
+        crew.workers().get(0).listen(x, y);
+      }
       model.note(chosen[i], moved[i]);
     }
     count = 0;
