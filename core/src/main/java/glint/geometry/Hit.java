@@ -80,6 +80,15 @@ public final class Hit {
   /** Whether the surface is curved there, so that its normal turns from place to place. */
   public boolean curved;
 
+  /** How far the surface has moved there; 0 where it stands still. */
+  public double movedX;
+
+  public double movedY;
+  public double movedZ;
+
+  /** When it is met, 0 to 1 of the time that the shutter is open. */
+  public double time;
+
   /** How far along the normal a point is certain to lie off the surface, in scene units. */
   double offset;
 
@@ -214,6 +223,10 @@ public final class Hit {
     side = other.side;
     surface = other.surface;
     offset = other.offset;
+    movedX = other.movedX;
+    movedY = other.movedY;
+    movedZ = other.movedZ;
+    time = other.time;
     curved = other.curved;
   }
 
@@ -226,6 +239,14 @@ public final class Hit {
     u = other.u;
     v = other.v;
     surface = other.surface;
+  }
+
+  /** Begins to resolve a hit of a time, with what stands still. */
+  void stand(double at) {
+    time = at;
+    movedX = 0;
+    movedY = 0;
+    movedZ = 0;
   }
 
   /** Turns the inside out. */
@@ -266,6 +287,7 @@ public final class Hit {
 
   private void leave(double along, double dx, double dy, double dz, Ray ray) {
     ray.set(px + along * nx, py + along * ny, pz + along * nz, dx, dy, dz);
+    ray.time = time;
   }
 
   /** Sets {@code ray} to lead from this point, which was faced, to light in a direction. */
@@ -274,6 +296,7 @@ public final class Hit {
     double oy = py + liftY + offset * ny;
     double oz = pz + liftZ + offset * nz;
     ray.set(ox, oy, oz, dx, dy, dz);
+    ray.time = time;
   }
 
   /**

@@ -53,6 +53,10 @@ public final class Primitives {
   private final int[] firstNumber;
 
   private final Instances instances;
+
+  /** How surfaces move, or null where all stand still. */
+  private final Motions motions;
+
   private final int unbounded;
   private final double conditioning;
   private final int degenerate;
@@ -70,6 +74,7 @@ public final class Primitives {
     surface = Arrays.copyOf(b.surface, b.count);
     data = Arrays.copyOf(b.data, b.used);
     firstNumber = b.firstNumber;
+    motions = b.ways.length > 0 ? new Motions(b.ways) : null;
     instances = b.instances();
     this.unbounded = unbounded;
     conditioning = b.conditioning;
@@ -80,6 +85,9 @@ public final class Primitives {
   }
 
   private int findCommonKind() {
+    if (motions != null) {
+      return -1;
+    }
     int common = -1;
     for (int slot = unbounded; slot < head.length; slot++) {
       int k = kind(head[slot]) == REVERSED_TRIANGLE ? TRIANGLE : kind(head[slot]);
@@ -187,6 +195,11 @@ public final class Primitives {
    * @param local scratch for the ray in object space
    */
   public void intersect(int slot, Ray ray, Hit hit, Ray local) {
+    boolean moves = motions != null && motions.moves(surface[slot]);
+    meet(slot, moves ? motions.still(surface[slot], ray) : ray, hit, local);
+  }
+
+  private void meet(int slot, Ray ray, Hit hit, Ray local) {
     long h = head[slot];
     int at = start(h);
     int k = kind(h);
@@ -239,6 +252,17 @@ public final class Primitives {
 
   /** Fills in point, normal, surface and offset of a hit that was found with this ray. */
   public void resolve(Ray ray, Hit hit, Ray local) {
+    int number = surface[hit.slot];
+    hit.stand(ray.time);
+    if (motions != null && motions.moves(number)) {
+      find(motions.still(number, ray), hit, local);
+      motions.carry(number, ray, hit);
+    } else {
+      find(ray, hit, local);
+    }
+  }
+
+  private void find(Ray ray, Hit hit, Ray local) {
     int slot = hit.slot;
     int at = start(head[slot]);
     int k = kind(head[slot]);
@@ -292,6 +316,9 @@ public final class Primitives {
       TransformedKernel.boundsToWorld(data, at, out);
     } else {
       bounds(k, at, out);
+    }
+    if (motions != null && motions.moves(surface[slot])) {
+      motions.widen(surface[slot], out);
     }
   }
 
@@ -360,6 +387,7 @@ public final class Primitives {
     private int next;
     private int degenerate;
     private int[] firstNumber = {};
+    private double[] ways = {};
     private double conditioning = 1;
 
     /** The models that instances show, by mesh, and what they look like so far. */
@@ -380,6 +408,7 @@ public final class Primitives {
     private Builder(Primitives other) {
       reserve(other.head.length, other.data.length);
       firstNumber = other.firstNumber;
+      ways = other.motions == null ? ways : other.motions.ways();
       instances = other.instances;
       conditioning = other.conditioning;
       degenerate = other.degenerate;
@@ -424,6 +453,18 @@ public final class Primitives {
         addCylinder(c, toWorld, number);
       } else if (shape instanceof Mesh m) {
         addMesh(m, toWorld, number, inParts);
+      }
+    }
+
+    /**
+     * Lets surfaces move while the shutter is open.
+     *
+     * @param first the number of the first of them
+     * @param count how many they are, as parts of one mesh
+     */
+    public void move(int first, int count, Vector3d way) {
+      for (int i = first; i < first + count; i++) {
+        ways = Motions.with(ways, i, way);
       }
     }
 

@@ -22,6 +22,12 @@ public final class Ray {
    */
   public double tMin;
 
+  /** When, 0 to 1 of the time that the shutter is open, it is on its way. */
+  public double time;
+
+  /** The same ray beside a surface that moves; made when it is first needed. */
+  private Ray companion;
+
   /** The last primitive at {@link #tMin} itself that does not count; by default none there does. */
   int after;
 
@@ -42,7 +48,10 @@ public final class Ray {
   double shearY;
   double shearZ;
 
-  /** Sets origin and direction, starting at the origin itself, which does not count. */
+  /**
+   * Sets origin and direction but not the time, starting at the origin itself, which does not
+   * count.
+   */
   public void set(double ox, double oy, double oz, double dx, double dy, double dz) {
     this.ox = ox;
     this.oy = oy;
@@ -60,7 +69,15 @@ public final class Ray {
     set(other.ox, other.oy, other.oz, other.dx, other.dy, other.dz);
     tMin = other.tMin;
     after = other.after;
+    time = other.time;
     afterPart = other.afterPart;
+  }
+
+  Ray companion() {
+    if (companion == null) {
+      companion = new Ray();
+    }
+    return companion;
   }
 
   /** Sets this ray to go on behind a hit, in the order of t and then of primitives. */

@@ -55,7 +55,7 @@ enum Section {
   CHECKER("a checker", "size colors", ""),
   STRIPES("a pattern of stripes", "size colors", "");
 
-  private static final String PLACED = " material scale rotate translate transform";
+  private static final String PLACED = " material scale rotate translate transform motion";
 
   private final String title;
   private final List<String> keys;

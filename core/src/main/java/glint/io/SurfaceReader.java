@@ -58,7 +58,8 @@ final class SurfaceReader {
     List<NamedMaterial> made = sound ? shared(madeOf(f, surface, material)) : List.of();
     Transform toWorld = transforms.read(f);
     int line = entry.key().place().line();
-    return f.build(() -> new Placement(surface, toWorld, made, line));
+    Vector3d motion = f.has("motion") ? f.vector("motion") : Vector3d.ZERO;
+    return f.build(() -> new Placement(surface, toWorld, made, motion, line));
   }
 
   /** A material that is written is for all of a surface; without one a model keeps its own. */

@@ -3,6 +3,7 @@ package glint.render;
 import glint.geometry.Hit;
 import glint.geometry.Ray;
 import glint.sampling.SobolSampler;
+import glint.scene.Placement;
 import glint.scene.Prepared;
 import glint.scene.View;
 import glint.trace.RayCounts;
@@ -12,6 +13,9 @@ import glint.trace.Tracer;
 /** Traces rays through places of the image; one per thread. */
 final class Probe {
 
+  /** The pair of numbers of which the first is the time. */
+  private static final long TIME = -3;
+
   private final View view;
   private final Tracer tracer;
   private final SobolSampler numbers;
@@ -19,6 +23,7 @@ final class Probe {
   private final int width;
   private final PixelWatch watch;
   private final boolean lens;
+  private final boolean motion;
   private int left;
   private int top;
   private long invalid;
@@ -53,6 +58,9 @@ final class Probe {
     tracer = new Tracer(scene, depth, settings.negligible(), recorder);
     width = settings.width();
     lens = scene.plan().lens().used();
+    motion =
+        scene.plan().motion().used()
+            && scene.scene().placements().stream().anyMatch(Placement::isMoving);
   }
 
   /**
@@ -88,6 +96,10 @@ final class Probe {
   /** Traces the sample at hand through a place of the image, like {@link #trace}. */
   boolean traceSample(double x, double y) {
     double end = lens ? view.ray(x, y, numbers, ray) : view.ray(x, y, ray);
+    if (motion) {
+      numbers.draw(TIME);
+      ray.time = numbers.u;
+    }
     if (watch != null) {
       watch.recorder.begin();
     }
@@ -165,6 +177,7 @@ final class Probe {
   /** Sets a ray through a place; returns what it sees first. */
   Hit look(double x, double y, Ray out) {
     double end = view.ray(x, y, out);
+    out.time = 0.5;
     return tracer.look(out, end);
   }
 

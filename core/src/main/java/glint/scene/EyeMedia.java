@@ -59,6 +59,7 @@ final class EyeMedia {
       double[] d = new double[3];
       d[i / 2] = i % 2 == 0 ? 1 : -1;
       ray.set(point.x(), point.y(), point.z(), d[0], d[1], d[2]);
+      ray.time = 0.5;
       look();
       decide();
     }

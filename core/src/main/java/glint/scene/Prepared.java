@@ -107,6 +107,9 @@ public final class Prepared {
       } else {
         builder.add(p.surface(), p.toWorld(), surface, inParts);
       }
+      if (p.isMoving()) {
+        builder.move(surface, p.materials().size(), p.motion());
+      }
       surface += p.materials().size();
     }
     return builder.build();

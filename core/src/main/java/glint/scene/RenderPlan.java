@@ -17,6 +17,7 @@ import java.util.function.Predicate;
  */
 public record RenderPlan(
     Decision lens,
+    Decision motion,
     Decision instances,
     Decision tree,
     Decision smoothNormals,
@@ -41,6 +42,7 @@ public record RenderPlan(
       Scene scene, Decision instances, Primitives primitives, Illumination lights) {
     return new RenderPlan(
         lens(scene),
+        motion(scene),
         instances,
         tree(primitives),
         smoothNormals(scene),
@@ -61,6 +63,7 @@ public record RenderPlan(
     String reason = "everything is switched on";
     return new RenderPlan(
         new Decision("lens", true, reason),
+        new Decision("motion", true, reason),
         new Decision("instances", true, reason),
         new Decision("hierarchy", true, reason),
         new Decision("smooth normals", true, reason),
@@ -80,6 +83,7 @@ public record RenderPlan(
   public List<Decision> decisions() {
     return List.of(
         lens,
+        motion,
         instances,
         tree,
         smoothNormals,
@@ -93,6 +97,13 @@ public record RenderPlan(
         gloss,
         refraction,
         sky);
+  }
+
+  private static Decision motion(Scene scene) {
+    int moving = count(scene, Placement::isMoving);
+    return moving == 0
+        ? new Decision("motion", false, "nothing moves while the shutter is open")
+        : new Decision("motion", true, "rays have random times; surfaces that move: " + moving);
   }
 
   private static Decision lens(Scene scene) {

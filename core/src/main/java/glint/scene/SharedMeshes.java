@@ -26,7 +26,7 @@ final class SharedMeshes {
   SharedMeshes(Scene scene) {
     Map<Mesh, Integer> places = new HashMap<>();
     for (Placement p : scene.placements()) {
-      if (p.surface() instanceof Mesh mesh && isGentle(p.toWorld())) {
+      if (p.surface() instanceof Mesh mesh && isGentle(p)) {
         int before = places.merge(mesh, 1, Integer::sum);
         if (before > 1 && mesh.size() <= LARGEST_COORDINATE) {
           shared.add(mesh);
@@ -35,8 +35,11 @@ final class SharedMeshes {
     }
   }
 
-  private static boolean isGentle(Transform t) {
-    return t.flattening() <= MOST_FLATTENED
+  /** Returns whether rays may be carried to a placement, which does not move either. */
+  private static boolean isGentle(Placement p) {
+    Transform t = p.toWorld();
+    return !p.isMoving()
+        && t.flattening() <= MOST_FLATTENED
         && t.largest() <= LARGEST_FACTOR
         && t.inverted().largest() <= LARGEST_FACTOR;
   }
@@ -48,6 +51,6 @@ final class SharedMeshes {
 
   /** Returns whether a placement shows a shared mesh, rather than having its own triangles. */
   boolean isInstance(Placement p) {
-    return p.surface() instanceof Mesh mesh && shared.contains(mesh) && isGentle(p.toWorld());
+    return p.surface() instanceof Mesh mesh && shared.contains(mesh) && isGentle(p);
   }
 }

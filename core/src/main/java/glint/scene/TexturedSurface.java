@@ -66,9 +66,9 @@ final class TexturedSurface {
 
   /** Returns a coordinate in the surface's own space, by a row of M⁻¹, of the point less T. */
   private static double object(double[] m, int row, Hit hit) {
-    return m[row] * (hit.px - m[18])
-        + m[row + 1] * (hit.py - m[19])
-        + m[row + 2] * (hit.pz - m[20]);
+    return m[row] * (hit.px - hit.movedX - m[18])
+        + m[row + 1] * (hit.py - hit.movedY - m[19])
+        + m[row + 2] * (hit.pz - hit.movedZ - m[20]);
   }
 
   /** Returns the axis of the surface's own space that is nearest to the normal. */

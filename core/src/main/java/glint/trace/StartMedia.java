@@ -40,6 +40,7 @@ final class StartMedia {
     for (int medium : scene.mediaAtEye()) {
       interior.enter(medium);
     }
+    eye.time = ray.time;
     if (ray.ox != eye.px || ray.oy != eye.py || ray.oz != eye.pz) {
       walk(eye.spawnTo(ray.ox, ray.oy, ray.oz, way), interior);
     }

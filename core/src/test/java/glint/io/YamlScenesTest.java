@@ -148,6 +148,12 @@ class YamlScenesTest {
   }
 
   @Test
+  void surfacesMayMove() {
+    assertEquals(v(0, 0.5, 2), scenes.get(1).placements().get(3).motion());
+    assertEquals(O, scenes.get(1).placements().get(2).motion());
+  }
+
+  @Test
   void aCameraMayBeOrthographic() {
     assertEquals(
         new Camera(v(0, 0, 9), O, Y, new Orthographic(12.5), 0, 20, Optional.of(new Lens(0, 3))),

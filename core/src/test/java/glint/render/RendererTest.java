@@ -145,13 +145,16 @@ class RendererTest {
       for (Surface surface : surfaces()) {
         boolean pictured = surface instanceof Quad || surface instanceof Triangle;
         Material plain = surface instanceof Box ? Material.WHITE : mirror;
-        scene.place(Placement.of(surface, pictured ? picture : plain));
+        Vector3d way = surface instanceof Quad ? v(0.1, 0, 0.2) : Vector3d.ZERO;
+        scene.place(Placement.of(surface, pictured ? picture : plain).moving(way));
       }
       Transform squash =
           Transform.scale(new Vector3d(1, 0.5, 0.7))
               .then(Transform.rotate(Quaternion.aboutAxis(new Vector3d(1, 0, 0), 40)))
               .then(Transform.translate(v(0.5, -0.4, 2.5)));
-      scene.place(new Placement(new Sphere(Vector3d.ZERO, scale * 0.6), squash, mirror));
+      scene.place(
+          new Placement(new Sphere(Vector3d.ZERO, scale * 0.6), squash, mirror)
+              .moving(v(0.2, -0.3, 0)));
       Mesh jewel = jewel();
       scene.place(Placement.of(jewel, picture));
       Transform shrunk =

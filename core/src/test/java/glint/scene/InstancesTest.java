@@ -90,6 +90,7 @@ class InstancesTest {
     RenderPlan without =
         new RenderPlan(
             plan.lens(),
+            plan.motion(),
             new Decision("instances", false, "switched off"),
             plan.tree(),
             plan.smoothNormals(),

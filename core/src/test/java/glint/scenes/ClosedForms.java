@@ -42,6 +42,7 @@ final class ClosedForms {
     forms.lamps();
     forms.blur();
     forms.gloss();
+    forms.motion();
     return forms.values;
   }
 
@@ -339,5 +340,13 @@ final class ClosedForms {
     scene("gloss-gradient", new Rgb(1, 2, 4).times(0.5 * (1 + 9.0 / 10) / 2));
     scene("gloss-ball", 1 - pow(0.8, 4));
     scene("gloss-square", formFactor(1, 1));
+  }
+
+  private void motion() {
+    scene("motion-passing", 0.25 / 2);
+    scene("motion-coming", 1 / 4.0 + 0.5 * (1 - 1 / 4.0));
+    scene("motion-shadow", 0.5 * (1 - 1 / 2.0));
+    scene("motion-mirror", 0.5 * (1 - 1 / 2.0));
+    scene("motion-stripes", (1 + 0.5) / 2);
   }
 }
