@@ -3,7 +3,9 @@ package glint.bench;
 import com.sun.management.OperatingSystemMXBean;
 import glint.image.Image;
 import glint.render.Goal;
+import glint.render.Progress;
 import glint.render.RenderSettings;
+import glint.render.Renderer;
 import glint.scene.Prepared;
 import glint.scene.Scene;
 import java.lang.management.ManagementFactory;
@@ -64,7 +66,7 @@ final class GlintPeer implements Peer {
 
   @Override
   public Image reference() {
-    Goal goal = new Goal.Samples(FINE);
-    return Race.render(scene, settings.following(NEGLIGIBLE), goal, -1).image();
+    RenderSettings fine = settings.sampled(FINE, -1).following(NEGLIGIBLE);
+    return new Renderer(scene, fine).render(Progress.NONE).image();
   }
 }
