@@ -79,7 +79,7 @@ final class SurfaceReader {
   private void noteImages(Fields f, List<NamedMaterial> made) {
     for (NamedMaterial each : made) {
       Texture texture = each.material().texture().orElse(null);
-      if (texture instanceof ImageTexture image && image.mapping().isEmpty()) {
+      if (texture instanceof ImageTexture image && !image.mapping().isPresent()) {
         values.note(
             f.get("file"),
             "the model has no texture points, so that its image shows one colour;"
