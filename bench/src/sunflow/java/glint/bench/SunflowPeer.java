@@ -101,7 +101,7 @@ public final class SunflowPeer implements Peer {
   private Run render(String setting, float cutoff) {
     String[] words = setting.split(" ");
     api.parameter("sampler", "bucket");
-    api.parameter("bucket.size", 512); // one bucket, as samples around each are taken in vain
+    api.parameter("bucket.size", 64); // large ones fill the memory
     api.parameter("filter", "pixel");
     api.parameter("aa.min", Integer.parseInt(words[1]));
     api.parameter("aa.max", Integer.parseInt(words[3]));
