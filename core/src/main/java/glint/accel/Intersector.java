@@ -120,13 +120,17 @@ public final class Intersector {
     }
   }
 
+  private void intersectAll(int slot, int end, Ray ray, Hit hit, boolean stopAtFirst) {
+    for (int i = slot; i < end && !(stopAtFirst && hit.found()); i++) {
+      intersect(i, ray, hit, stopAtFirst);
+    }
+  }
+
   private void search(Ray ray, Hit hit, boolean stopAtFirst) {
     int linear = tree == null ? primitives.count() : primitives.unbounded();
-    for (int slot = 0; slot < linear; slot++) {
-      intersect(slot, ray, hit, stopAtFirst);
-      if (stopAtFirst && hit.found()) {
-        return;
-      }
+    intersectAll(0, linear, ray, hit, stopAtFirst);
+    if (stopAtFirst && hit.found()) {
+      return;
     }
     if (linear < primitives.count()) {
       prepare(ray);
@@ -205,10 +209,11 @@ public final class Intersector {
       }
       if (node != END) {
         int slot = bounded + Bvh.leafStart(node);
-        for (int last = slot + Bvh.leafSize(node); slot < last; slot++) {
-          if (instanced) {
-            intersect(slot, ray, hit, stopAtFirst);
-          } else {
+        int last = slot + Bvh.leafSize(node);
+        if (instanced) {
+          intersectAll(slot, last, ray, hit, stopAtFirst);
+        } else {
+          for (; slot < last; slot++) {
             primitives.intersectBounded(slot, ray, hit, local);
           }
         }

@@ -89,7 +89,7 @@ public final class Ray {
 
   /** Returns by what a parameter in the world is multiplied to get this ray's: a power of two. */
   public double perWorldUnit() {
-    return 1 / unit;
+    return unit == 1 ? 1 : 1 / unit;
   }
 
   /** Returns whether a hit, at a parameter of the ray in the world, is far enough to count. */
