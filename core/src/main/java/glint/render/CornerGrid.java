@@ -1,5 +1,7 @@
 package glint.render;
 
+import glint.image.Image;
+
 /**
  * One sample at every corner of every pixel, shared by the up to four pixels that meet there.
  *
@@ -71,6 +73,16 @@ final class CornerGrid {
     if (image.length > 0) {
       image[2 * at] = (float) probe.imageX();
       image[2 * at + 1] = (float) probe.imageY();
+    }
+  }
+
+  /** Fills a block of an image, as far as it has one, with what the block's first corner shows. */
+  void show(int x, int y, int endX, int endY, Image picture) {
+    int at = 3 * (y * stride + x);
+    for (int row = y; row < Math.min(endY, picture.height()); row++) {
+      for (int column = x; column < Math.min(endX, picture.width()); column++) {
+        picture.set(column, row, rgb[at], rgb[at + 1], rgb[at + 2]);
+      }
     }
   }
 

@@ -14,4 +14,13 @@ public interface Progress {
    * @param rays rays traced so far, of all kinds
    */
   void tileDone(int done, int total, long rays);
+
+  /**
+   * The image shows a whole picture, better than before; heard only of renders to an error, between
+   * their rounds, while no worker changes it.
+   *
+   * @param error what is claimed for it, in levels; infinite for the first, coarse one
+   * @param rays rays traced so far, of all kinds
+   */
+  default void pictureImproved(double error, long rays) {}
 }

@@ -18,7 +18,7 @@ public final class Renderer {
   private final Image image;
   private final Map<Aov, Image> aovs = new EnumMap<>(Aov.class);
   private final PixelWatch watch;
-  private volatile boolean cancelled;
+  private final Gate gate = new Gate();
 
   /** Sets up a render; nothing runs yet. */
   public Renderer(Prepared scene, RenderSettings settings) {
@@ -49,7 +49,7 @@ public final class Renderer {
             : new UniformRender(scene, settings, image, aovs);
     Traced traced;
     try {
-      traced = method.run(progress, () -> cancelled);
+      traced = method.run(progress, gate::closed);
     } catch (InterruptedException e) {
       cancel();
       Thread.currentThread().interrupt();
@@ -61,7 +61,17 @@ public final class Renderer {
 
   /** Stops the render soon; may be called from any thread. */
   public void cancel() {
-    cancelled = true;
+    gate.close();
+  }
+
+  /** Has the workers wait soon, until {@link #resume}; may be called from any thread. */
+  public void pause() {
+    gate.hold(true);
+  }
+
+  /** Has the workers go on after {@link #pause}; may be called from any thread. */
+  public void resume() {
+    gate.hold(false);
   }
 
   /** Returns the image, not a copy: it grows while tiles finish. */

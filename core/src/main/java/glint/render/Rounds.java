@@ -26,6 +26,9 @@ final class Rounds {
   /** By how much a round brings the error down at most where the time is limited. */
   private static final double SHORT_ROUND = 0.7;
 
+  /** The first picture has a ray for every block of so many pixels, across and down. */
+  private static final int COARSE = 8;
+
   /** Sides that a thread works on in one go. */
   private static final int BATCH = 64;
 
@@ -81,6 +84,7 @@ final class Rounds {
       estimate(round == 0);
       model.learn();
       double error = error(allocation.total());
+      done.whole(crew.workers(), error);
       boolean reached = error <= levels;
       if (audits < AUDITS && (reached || (audits == 0 && round == EARLY_ROUNDS))) {
         audit.run(audits++);
@@ -110,6 +114,16 @@ final class Rounds {
   }
 
   private void begin() throws InterruptedException {
+    int across = (film.width - 1) / COARSE + 1;
+    int down = (film.height - 1) / COARSE + 1;
+    crew.run(
+        down,
+        (refiner, row) -> {
+          for (int column = 0; column < across; column++) {
+            traceCoarse(refiner, COARSE * column, COARSE * row);
+          }
+        });
+    done.whole(crew.workers(), Double.POSITIVE_INFINITY);
     crew.run(
         tiles.count(),
         (refiner, i) -> {
@@ -150,9 +164,18 @@ final class Rounds {
     y1 += y1 == film.height ? 1 : 0;
     for (int y = tiles.beginY(tile); y < y1; y++) {
       for (int x = tiles.beginX(tile); x < x1; x++) {
-        corners.trace(refiner.probe, scale, x, y);
+        if (x % COARSE != 0 || y % COARSE != 0 || x == film.width || y == film.height) {
+          corners.trace(refiner.probe, scale, x, y);
+        }
+        corners.show(x, y, x + 1, y + 1, film.image);
       }
     }
+  }
+
+  /** Traces a corner ahead of the others, and shows it in all of its block. */
+  private void traceCoarse(Refiner refiner, int x, int y) {
+    corners.trace(refiner.probe, scale, x, y);
+    corners.show(x, y, x + COARSE, y + COARSE, film.image);
   }
 
   /** Looks into the middle of pixels at edges; returns whether that has found anything. */

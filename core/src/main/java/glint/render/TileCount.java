@@ -1,6 +1,8 @@
 package glint.render;
 
-/** Tells a listener of finished tiles, one at a time. */
+import java.util.List;
+
+/** Tells a listener of finished tiles and rounds, one at a time. */
 final class TileCount {
 
   private final Progress progress;
@@ -18,5 +20,13 @@ final class TileCount {
     done++;
     rays += probe.newRays();
     progress.tileDone(done, total, rays);
+  }
+
+  /** The image is whole, by the work of all threads; each has a refiner of its own. */
+  synchronized void whole(List<Refiner> refiners, double error) {
+    for (Refiner refiner : refiners) {
+      rays += refiner.probe.newRays();
+    }
+    progress.pictureImproved(error, rays);
   }
 }

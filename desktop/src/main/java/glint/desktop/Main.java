@@ -7,6 +7,7 @@ import java.io.PrintWriter;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.InvalidPathException;
 import java.nio.file.Path;
+import java.util.List;
 import java.util.Locale;
 import java.util.concurrent.Callable;
 import picocli.AutoComplete.GenerateCompletion;
@@ -33,6 +34,7 @@ import picocli.CommandLine.UnmatchedArgumentException;
       ReplayCommand.class,
       ReportCommand.class,
       VerifyCommand.class,
+      WindowCommand.class,
       HelpCommand.class,
       GenerateCompletion.class
     },
@@ -61,11 +63,10 @@ public final class Main implements Callable<Integer> {
     return glint;
   }
 
-  /** Without a command there is nothing to do but to say which there are. */
+  /** Without a command the window opens with the bundled gallery. */
   @Override
-  public Integer call() {
-    spec.commandLine().usage(spec.commandLine().getErr());
-    return ExitCode.USAGE;
+  public Integer call() throws RunException, InterruptedException {
+    return WindowCommand.open(List.of(), spec.commandLine().getErr());
   }
 
   private static Path path(String text) {

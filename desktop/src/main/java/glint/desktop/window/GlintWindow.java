@@ -1,0 +1,164 @@
+package glint.desktop.window;
+
+import glint.image.Image;
+import java.awt.BorderLayout;
+import java.awt.Dimension;
+import java.awt.Point;
+import java.awt.event.WindowAdapter;
+import java.awt.event.WindowEvent;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.concurrent.CountDownLatch;
+import javax.swing.JButton;
+import javax.swing.JFrame;
+import javax.swing.JScrollPane;
+import javax.swing.JSplitPane;
+import javax.swing.SwingUtilities;
+import javax.swing.WindowConstants;
+
+/** The window; all of it belongs to the event thread. */
+public final class GlintWindow {
+
+  private final JFrame frame = new JFrame("Glint");
+  private final PictureView view = new PictureView(this::point);
+  private final StatusBar status = new StatusBar();
+  private final SceneList scenes = new SceneList(this::render);
+  private final Problems problems = new Problems();
+  private final SceneSource source;
+  private final CountDownLatch closed = new CountDownLatch(1);
+  private JButton pause;
+  private Theme theme = Theme.LIGHT;
+  private RenderRun run;
+  private Image linear;
+  private Point pointer;
+  private boolean paused;
+
+  private GlintWindow(SceneSource source) {
+    this.source = source;
+  }
+
+  /** Opens a window with the scenes of files and returns it; not for the event thread. */
+  public static GlintWindow open(List<Path> files, SceneSource source) throws InterruptedException {
+    GlintWindow[] made = new GlintWindow[1];
+    try {
+      SwingUtilities.invokeAndWait(
+          () -> {
+            Theme.LIGHT.apply();
+            made[0] = new GlintWindow(source);
+            made[0].lay();
+          });
+    } catch (java.lang.reflect.InvocationTargetException e) {
+      throw new IllegalStateException("the window cannot be opened: " + e.getCause(), e.getCause());
+    }
+    made[0].read(files);
+    return made[0];
+  }
+
+  /** Waits until the window is closed. */
+  public void awaitClosed() throws InterruptedException {
+    closed.await();
+  }
+
+  private void lay() {
+    Controls controls = new Controls(frame.getRootPane());
+    pause = controls.add("Pause", "SPACE", this::pauseOrGoOn);
+    controls.add("Stop", "ESCAPE", this::stop);
+    controls.bar().addSeparator();
+    controls.add("Fit", "F", view::fit);
+    controls.add("1:1", "1", view::oneToOne);
+    controls.add("Larger", "PLUS", () -> view.zoomBy(1));
+    controls.add("Smaller", "MINUS", () -> view.zoomBy(-1));
+    controls.bar().addSeparator();
+    controls.add("Light or dark", "D", this::changeTheme);
+    JScrollPane list = new JScrollPane(scenes);
+    list.setMinimumSize(new Dimension(160, 100));
+    JSplitPane left = new JSplitPane(JSplitPane.VERTICAL_SPLIT, list, problems);
+    left.setResizeWeight(1);
+    JSplitPane middle = new JSplitPane(JSplitPane.HORIZONTAL_SPLIT, left, view);
+    middle.setDividerLocation(220);
+    frame.add(controls.bar(), BorderLayout.NORTH);
+    frame.add(middle, BorderLayout.CENTER);
+    frame.add(status, BorderLayout.SOUTH);
+    frame.setDefaultCloseOperation(WindowConstants.DISPOSE_ON_CLOSE);
+    frame.addWindowListener(
+        new WindowAdapter() {
+          @Override
+          public void windowClosed(WindowEvent e) {
+            stop();
+            closed.countDown();
+          }
+        });
+    frame.pack();
+    frame.setLocationByPlatform(true);
+    frame.setVisible(true);
+    scenes.requestFocusInWindow();
+  }
+
+  /** Reads files in the background and shows what they hold. */
+  private void read(List<Path> files) {
+    Thread reader =
+        new Thread(
+            () -> {
+              SceneSource.Found found = source.read(files);
+              SwingUtilities.invokeLater(() -> show(found));
+            },
+            "glint-window-read");
+    reader.setDaemon(true);
+    reader.start();
+  }
+
+  private void show(SceneSource.Found found) {
+    problems.show(found.problems());
+    scenes.show(found.scenes());
+  }
+
+  private void render(Picked picked) {
+    stop();
+    frame.setTitle(picked.scene().name() + " - Glint");
+    RenderRun[] own = new RenderRun[1];
+    Latest<Snapshot> latest =
+        new Latest<>(
+            snapshot -> {
+              if (own[0] == run) {
+                show(snapshot);
+              }
+            });
+    own[0] = new RenderRun(picked.scene(), latest);
+    run = own[0];
+    run.start();
+  }
+
+  private void show(Snapshot snapshot) {
+    snapshot.picture().ifPresent(view::show);
+    linear = snapshot.linear().orElse(linear);
+    status.show(snapshot);
+    paused = snapshot.state() == Snapshot.State.PAUSED;
+    pause.setText(paused ? "Continue" : "Pause");
+    pause.setEnabled(!snapshot.state().isOver());
+    point(pointer);
+  }
+
+  private void pauseOrGoOn() {
+    if (run != null) {
+      run.pause(!paused);
+    }
+  }
+
+  private void stop() {
+    if (run != null) {
+      run.stop();
+    }
+  }
+
+  private void changeTheme() {
+    theme = theme.other();
+    theme.apply();
+  }
+
+  private void point(Point pixel) {
+    pointer = pixel;
+    boolean inside = linear != null && pixel != null;
+    inside = inside && pixel.x < linear.width() && pixel.y < linear.height();
+    status.point(inside ? pixel : null, linear);
+  }
+}

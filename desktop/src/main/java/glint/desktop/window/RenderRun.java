@@ -1,0 +1,223 @@
+package glint.desktop.window;
+
+import glint.desktop.window.Snapshot.State;
+import glint.image.Image;
+import glint.render.Goal;
+import glint.render.Progress;
+import glint.render.RenderSettings;
+import glint.render.Renderer;
+import glint.scene.Prepared;
+import glint.scene.Scene;
+import java.awt.image.BufferedImage;
+import java.util.Optional;
+import java.util.concurrent.CancellationException;
+import java.util.function.Consumer;
+
+/**
+ * The render of one scene in the background, as {@code glint render} does it by default.
+ *
+ * <p>One thread renders, with the workers that it starts; another turns what there is into pictures
+ * for the display, whenever a round is over and else now and then.
+ */
+final class RenderRun {
+
+  /** The least time between two pictures. */
+  private static final long PAUSE_MILLIS = 40;
+
+  /** Pictures take at most one of so many parts of a thread's time. */
+  private static final int SHARE = 5;
+
+  private final Scene scene;
+  private final RenderSettings settings;
+  private final Consumer<Snapshot> listener;
+  private final Clock clock = new Clock();
+  private final Object change = new Object();
+  private State state = State.PREPARING;
+  private Renderer renderer;
+  private boolean improved;
+  private boolean shown;
+  private long rays;
+  private double error = Double.POSITIVE_INFINITY;
+  private String message = "";
+
+  /**
+   * Sets up a render; nothing runs yet.
+   *
+   * @param listener hears of every change, on the thread that makes the pictures
+   */
+  RenderRun(Scene scene, Consumer<Snapshot> listener) {
+    this.scene = scene;
+    this.listener = listener;
+    settings = RenderSettings.of(scene);
+  }
+
+  /** Begins. */
+  void start() {
+    thread("glint-window-render", this::render).start();
+    thread("glint-window-picture", this::show).start();
+  }
+
+  /** Has the render wait, or go on; does nothing when it is over. */
+  void pause(boolean wait) {
+    synchronized (change) {
+      if (renderer == null || state.isOver()) {
+        return;
+      }
+      if (wait) {
+        renderer.pause();
+        clock.stop();
+      } else {
+        clock.go();
+        renderer.resume();
+      }
+      state = wait ? State.PAUSED : State.RENDERING;
+      changed();
+    }
+  }
+
+  /** Ends the render soon; what it has shown stays. */
+  void stop() {
+    finish(State.STOPPED, "");
+  }
+
+  private void render() {
+    try {
+      Prepared prepared = Prepared.of(scene);
+      Renderer next = new Renderer(prepared, settings);
+      if (begin(next)) {
+        double claimed = next.render(new Listener()).statistics().samplingError();
+        synchronized (change) {
+          error = claimed;
+        }
+        finish(State.DONE, "");
+      }
+    } catch (CancellationException e) {
+      finish(State.STOPPED, "");
+    } catch (OutOfMemoryError e) {
+      finish(State.FAILED, "not enough memory");
+    } catch (RuntimeException e) {
+      finish(State.FAILED, String.valueOf(e.getMessage()));
+    }
+  }
+
+  /** Returns whether there is still something to begin. */
+  private boolean begin(Renderer next) {
+    synchronized (change) {
+      if (state.isOver()) {
+        return false;
+      }
+      renderer = next;
+      state = State.RENDERING;
+      changed();
+      return true;
+    }
+  }
+
+  private void finish(State last, String reason) {
+    synchronized (change) {
+      if (!state.isOver()) {
+        state = last;
+        message = reason;
+        clock.stop();
+        if (renderer != null) {
+          renderer.cancel();
+        }
+        changed();
+      }
+    }
+  }
+
+  private void changed() {
+    improved = true;
+    change.notifyAll();
+  }
+
+  private final class Listener implements Progress {
+    @Override
+    public void tileDone(int done, int total, long traced) {
+      synchronized (change) {
+        rays = traced;
+      }
+    }
+
+    @Override
+    public void pictureImproved(double claimed, long traced) {
+      synchronized (change) {
+        rays = traced;
+        error = claimed;
+        shown = true;
+        changed();
+      }
+    }
+  }
+
+  private void show() {
+    State told;
+    long wait = 0;
+    do {
+      told = await(wait);
+      long began = System.nanoTime();
+      listener.accept(snapshot(told));
+      wait = Math.max(PAUSE_MILLIS, (SHARE - 1) * (System.nanoTime() - began) / 1_000_000);
+    } while (told != null && !told.isOver());
+  }
+
+  /** Waits for a change, or for so long while rendering; returns where the render stands then. */
+  private State await(long millis) {
+    synchronized (change) {
+      long end = System.nanoTime() + millis * 1_000_000;
+      boolean moving = state == State.RENDERING && shown;
+      while (!improved && !(moving && System.nanoTime() - end >= 0)) {
+        try {
+          change.wait(moving ? Math.max(1, (end - System.nanoTime()) / 1_000_000) : 0);
+        } catch (InterruptedException e) {
+          throw new IllegalStateException("nothing interrupts this thread", e);
+        }
+        moving = state == State.RENDERING && shown;
+      }
+      improved = false;
+      return state;
+    }
+  }
+
+  private Snapshot snapshot(State told) {
+    Image image;
+    long traced;
+    double claimed;
+    String reason;
+    synchronized (change) {
+      image = shown || told == State.DONE ? renderer.image() : null;
+      traced = rays;
+      claimed = error;
+      reason = message;
+    }
+    return new Snapshot(
+        told,
+        Optional.ofNullable(image).map(this::picture),
+        Optional.ofNullable(image),
+        told == State.DONE ? 1 : part(claimed),
+        traced,
+        clock.seconds(),
+        claimed,
+        reason);
+  }
+
+  /** Returns the part of the work that has led to an error, which falls as its square root. */
+  private double part(double claimed) {
+    double target = ((Goal.Error) settings.goal()).levels();
+    return Math.min(1, target / claimed * (target / claimed));
+  }
+
+  private BufferedImage picture(Image image) {
+    int width = image.width();
+    BufferedImage picture = new BufferedImage(width, image.height(), BufferedImage.TYPE_INT_RGB);
+    picture.setRGB(0, 0, width, image.height(), image.toArgb(scene.transfer()), 0, width);
+    return picture;
+  }
+
+  private static Thread thread(String name, Runnable work) {
+    Thread thread = new Thread(work, name);
+    thread.setDaemon(true);
+    return thread;
+  }
+}

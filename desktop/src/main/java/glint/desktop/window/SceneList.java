@@ -1,0 +1,55 @@
+package glint.desktop.window;
+
+import java.awt.Component;
+import java.util.List;
+import java.util.function.Consumer;
+import javax.swing.BorderFactory;
+import javax.swing.DefaultListCellRenderer;
+import javax.swing.JLabel;
+import javax.swing.JList;
+import javax.swing.ListSelectionModel;
+
+/** The scenes to choose from. */
+final class SceneList extends JList<Picked> {
+
+  private static final long serialVersionUID = 1;
+
+  /**
+   * Makes an empty list.
+   *
+   * @param chosen hears of the scene that is chosen
+   */
+  SceneList(Consumer<Picked> chosen) {
+    setName("scenes");
+    getAccessibleContext().setAccessibleName("Scenes");
+    setSelectionMode(ListSelectionModel.SINGLE_SELECTION);
+    setCellRenderer(new Cell());
+    addListSelectionListener(
+        e -> {
+          if (!e.getValueIsAdjusting() && getSelectedValue() != null) {
+            chosen.accept(getSelectedValue());
+          }
+        });
+  }
+
+  /** Shows these scenes and chooses the first. */
+  void show(List<Picked> scenes) {
+    setListData(scenes.toArray(new Picked[0]));
+    setSelectedIndex(scenes.isEmpty() ? -1 : 0);
+  }
+
+  private static final class Cell extends DefaultListCellRenderer {
+    private static final long serialVersionUID = 1;
+
+    @Override
+    public Component getListCellRendererComponent(
+        JList<?> list, Object value, int index, boolean selected, boolean focused) {
+      Picked picked = (Picked) value;
+      JLabel label =
+          (JLabel) super.getListCellRendererComponent(list, value, index, selected, focused);
+      label.setBorder(BorderFactory.createEmptyBorder(4, 10, 4, 10));
+      label.setToolTipText(picked.scene().title().isEmpty() ? null : picked.scene().title());
+      return label;
+    }
+  }
+}
