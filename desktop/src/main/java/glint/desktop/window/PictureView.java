@@ -12,6 +12,8 @@ import java.awt.event.MouseWheelEvent;
 import java.awt.geom.AffineTransform;
 import java.awt.image.BufferedImage;
 import java.util.function.Consumer;
+import javax.accessibility.AccessibleContext;
+import javax.accessibility.AccessibleRole;
 import javax.swing.JComponent;
 import javax.swing.event.MouseInputAdapter;
 
@@ -36,7 +38,6 @@ final class PictureView extends JComponent {
   PictureView(Consumer<Point> pointed) {
     this.pointed = pointed;
     setName("picture");
-    getAccessibleContext().setAccessibleName("Picture");
     setPreferredSize(new Dimension(800, 600));
     Mouse mouse = new Mouse();
     addMouseListener(mouse);
@@ -108,6 +109,24 @@ final class PictureView extends JComponent {
     fitted = false;
     zoom = next;
     repaint();
+  }
+
+  @Override
+  public AccessibleContext getAccessibleContext() {
+    if (accessibleContext == null) {
+      accessibleContext = new AccessiblePicture();
+      accessibleContext.setAccessibleName("Picture");
+    }
+    return accessibleContext;
+  }
+
+  private final class AccessiblePicture extends AccessibleJComponent {
+    private static final long serialVersionUID = 1;
+
+    @Override
+    public AccessibleRole getAccessibleRole() {
+      return AccessibleRole.CANVAS;
+    }
   }
 
   @Override

@@ -1,0 +1,119 @@
+package glint.render;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertThrows;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import glint.scene.Prepared;
+import glint.scene.Scene;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.OptionalInt;
+import java.util.Set;
+import java.util.concurrent.CancellationException;
+import java.util.concurrent.CountDownLatch;
+import java.util.concurrent.FutureTask;
+import java.util.concurrent.TimeUnit;
+import org.junit.jupiter.api.Test;
+
+/** What a render to an error shows before it is done, and how it is held. */
+class PicturesOnTheWayTest {
+
+  private static final Scene SCENE = new RendererTest.World(1, false).scene().build();
+
+  /** Sizes of neither whole blocks nor whole tiles, and of both. */
+  @Test
+  void theFirstPictureHasOneColourABlockAndTheCornersOfTheFinalRaysInIt() {
+    for (int[] size : new int[][] {{45, 29}, {48, 32}, {1, 1}}) {
+      Renderer renderer = renderer(size[0], size[1]);
+      List<double[]> pictures = new ArrayList<>();
+      List<Double> errors = new ArrayList<>();
+      List<Long> rays = new ArrayList<>();
+      RenderResult result =
+          renderer.render(
+              new Heard() {
+                @Override
+                public void pictureImproved(double error, long traced) {
+                  pictures.add(renderer.image().rgb().clone());
+                  errors.add(error);
+                  rays.add(traced);
+                }
+              });
+      double[] first = pictures.get(0);
+      for (int i = 0; i < first.length; i++) {
+        int x = i / 3 % size[0] / 8 * 8;
+        int y = i / 3 / size[0] / 8 * 8;
+        assertEquals(first[3 * (y * size[0] + x) + i % 3], first[i]);
+      }
+      assertEquals(Double.POSITIVE_INFINITY, errors.get(0));
+      assertEquals(result.statistics().samplingError(), errors.get(errors.size() - 1));
+      int blocks = ((size[0] + 7) / 8) * ((size[1] + 7) / 8);
+      assertTrue(rays.get(0) >= blocks && rays.get(0) < rays.get(1), rays.toString());
+      assertTrue(rays.get(rays.size() - 1) <= result.statistics().rays().total());
+    }
+  }
+
+  @Test
+  void aRenderThatIsHeldDoesNothingUntilItIsLetGoAndGivesTheSameImage() throws Exception {
+    Renderer renderer = renderer(96, 64);
+    CountDownLatch held = new CountDownLatch(1);
+    List<Long> heard = new ArrayList<>();
+    FutureTask<RenderResult> render =
+        new FutureTask<>(
+            () ->
+                renderer.render(
+                    new Heard() {
+                      @Override
+                      public void pictureImproved(double error, long traced) {
+                        if (held.getCount() > 0) {
+                          renderer.pause();
+                          held.countDown();
+                        }
+                      }
+
+                      @Override
+                      public void tileDone(int done, int total, long traced) {
+                        synchronized (heard) {
+                          heard.add(traced);
+                        }
+                      }
+                    }));
+    new Thread(render).start();
+    assertTrue(held.await(30, TimeUnit.SECONDS));
+    Thread.sleep(200);
+    synchronized (heard) {
+      assertEquals(List.of(), heard);
+    }
+    assertFalse(render.isDone());
+    renderer.resume();
+    String sha = render.get(30, TimeUnit.SECONDS).statistics().sha256();
+    assertEquals(renderer(96, 64).render(Progress.NONE).statistics().sha256(), sha);
+  }
+
+  @Test
+  void aRenderThatIsHeldCanBeCancelled() throws Exception {
+    Renderer renderer = renderer(96, 64);
+    renderer.pause();
+    FutureTask<RenderResult> render = new FutureTask<>(() -> renderer.render(Progress.NONE));
+    new Thread(render).start();
+    Thread.sleep(50);
+    assertFalse(render.isDone());
+    renderer.cancel();
+    Throwable failure = assertThrows(Exception.class, () -> render.get(30, TimeUnit.SECONDS));
+    assertEquals(CancellationException.class, failure.getCause().getClass());
+  }
+
+  private static Renderer renderer(int width, int height) {
+    Goal goal = new Goal.Error(1);
+    RenderSettings settings =
+        new RenderSettings(width, height, goal, 0, OptionalInt.empty(), 2, 16, Set.of());
+    return new Renderer(Prepared.of(SCENE), settings);
+  }
+
+  /** Hears nothing of tiles. */
+  private interface Heard extends Progress {
+    @Override
+    default void tileDone(int done, int total, long rays) {}
+  }
+}
