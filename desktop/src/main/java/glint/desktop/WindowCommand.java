@@ -50,7 +50,7 @@ final class WindowCommand implements Callable<Integer> {
     return ExitCode.DONE;
   }
 
-  private static SceneSource.Found read(List<Path> files, PrintWriter err) {
+  static SceneSource.Found read(List<Path> files, PrintWriter err) {
     Inputs inputs = Inputs.read(files, err);
     return new SceneSource.Found(
         inputs.jobs().stream().map(job -> new Picked(job.file(), job.scene())).toList(),

@@ -21,18 +21,27 @@ class CommandsTest {
   @TempDir private Path dir;
 
   @Test
-  void withoutACommandTheUsageIsPrinted() {
-    Run run = Run.of();
-    assertEquals(2, run.exitCode());
-    assertEquals("", run.out());
-    assertTrue(run.err().startsWith("Usage: glint"), run.err());
-    for (String command : List.of("render", "plan", "check", "compare")) {
-      assertTrue(run.err().contains("\n  " + command + " "), command);
+  void theUsageListsTheCommands() {
+    Run run = Run.of("--help");
+    assertTrue(run.out().startsWith("Usage: glint"), run.out());
+    for (String command : List.of("render", "plan", "check", "compare", "window")) {
+      assertTrue(run.out().contains("\n  " + command + " "), command);
       Run help = Run.of(command, "--help");
       assertEquals(0, help.exitCode());
       assertTrue(help.out().startsWith("Usage: glint " + command), help.out());
     }
-    assertEquals(0, Run.of("--help").exitCode());
+    assertEquals(0, run.exitCode());
+  }
+
+  @Test
+  void withoutADisplayTheWindowNamesTheCommandThatNeedsNone() {
+    String line = "glint: there is no display to open a window on; 'glint render FILE' renders";
+    for (Run run : List.of(Run.of(), Run.of("window"), Run.of("window", "no.yaml"))) {
+      assertEquals(1, run.exitCode());
+      assertEquals("", run.out());
+      assertEquals(List.of(line + " without one"), run.errLines());
+    }
+    assertEquals(2, Run.of("window", "--scene", "x").exitCode());
   }
 
   @Test

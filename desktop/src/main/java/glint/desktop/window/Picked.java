@@ -8,11 +8,4 @@ import java.nio.file.Path;
  *
  * @param file where it was read
  */
-public record Picked(Path file, Scene scene) {
-
-  /** Returns the name, by which a list is searched when one types. */
-  @Override
-  public String toString() {
-    return scene.name();
-  }
-}
+public record Picked(Path file, Scene scene) {}

@@ -7,7 +7,9 @@ import javax.swing.BorderFactory;
 import javax.swing.DefaultListCellRenderer;
 import javax.swing.JLabel;
 import javax.swing.JList;
+import javax.swing.KeyStroke;
 import javax.swing.ListSelectionModel;
+import javax.swing.text.Position;
 
 /** The scenes to choose from. */
 final class SceneList extends JList<Picked> {
@@ -24,12 +26,19 @@ final class SceneList extends JList<Picked> {
     getAccessibleContext().setAccessibleName("Scenes");
     setSelectionMode(ListSelectionModel.SINGLE_SELECTION);
     setCellRenderer(new Cell());
+    getInputMap().put(KeyStroke.getKeyStroke("SPACE"), "none"); // it pauses, anywhere in the window
     addListSelectionListener(
         e -> {
           if (!e.getValueIsAdjusting() && getSelectedValue() != null) {
             chosen.accept(getSelectedValue());
           }
         });
+  }
+
+  /** Finds nothing: letters that are typed are keys of the window. */
+  @Override
+  public int getNextMatch(String prefix, int startIndex, Position.Bias bias) {
+    return -1;
   }
 
   /** Shows these scenes and chooses the first. */

@@ -1,0 +1,173 @@
+package glint.desktop;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+import static org.junit.jupiter.api.Assumptions.assumeFalse;
+
+import glint.desktop.window.GlintWindow;
+import glint.desktop.window.SceneSource;
+import java.awt.AWTException;
+import java.awt.Component;
+import java.awt.Container;
+import java.awt.Frame;
+import java.awt.GraphicsEnvironment;
+import java.awt.Point;
+import java.awt.Rectangle;
+import java.awt.Robot;
+import java.awt.event.InputEvent;
+import java.awt.image.BufferedImage;
+import java.lang.reflect.InvocationTargetException;
+import java.nio.file.Path;
+import java.util.Arrays;
+import java.util.List;
+import java.util.concurrent.Callable;
+import java.util.concurrent.FutureTask;
+import java.util.function.BooleanSupplier;
+import javax.swing.JFrame;
+import javax.swing.JLabel;
+import javax.swing.SwingUtilities;
+
+/** A real window, driven by mouse and keyboard and read off the screen. */
+final class OnScreen implements AutoCloseable {
+
+  private static final int PATIENCE_MILLIS = 30_000;
+
+  private final GlintWindow window;
+  private final JFrame frame;
+  private final Robot robot;
+
+  /** Opens a window; skips the test where there is no display. */
+  OnScreen(List<Path> files, SceneSource source) throws InterruptedException, AWTException {
+    assumeFalse(GraphicsEnvironment.isHeadless(), "no display: see tools/xvfb.sh");
+    window = GlintWindow.open(files, source);
+    frame =
+        (JFrame)
+            Arrays.stream(Frame.getFrames()).filter(Frame::isDisplayable).findFirst().orElseThrow();
+    robot = new Robot();
+    robot.setAutoDelay(20);
+  }
+
+  JFrame frame() {
+    return frame;
+  }
+
+  /** Returns the part of the window with a name. */
+  <C extends Component> C part(String name, Class<C> kind) {
+    return kind.cast(on(() -> find(frame, name)));
+  }
+
+  private static Component find(Container in, String name) {
+    for (Component each : in.getComponents()) {
+      Component found =
+          name.equals(each.getName()) ? each : each instanceof Container c ? find(c, name) : null;
+      if (found != null) {
+        return found;
+      }
+    }
+    return null;
+  }
+
+  /** Returns what a label says. */
+  String text(String name) {
+    JLabel label = part(name, JLabel.class);
+    return on(label::getText);
+  }
+
+  /** Waits until something is so. */
+  void await(String what, BooleanSupplier condition) throws InterruptedException {
+    long end = System.nanoTime() + PATIENCE_MILLIS * 1_000_000L;
+    while (!on(condition::getAsBoolean)) {
+      assertTrue(System.nanoTime() < end, () -> what + " never came: " + text("status"));
+      Thread.sleep(10);
+    }
+  }
+
+  void awaitStatus(String beginning) throws InterruptedException {
+    await(beginning, () -> text("status").startsWith(beginning));
+  }
+
+  /** Presses and lets go of a key. */
+  void key(int code) {
+    robot.keyPress(code);
+    robot.keyRelease(code);
+    robot.waitForIdle();
+  }
+
+  /** Moves the pointer to a place in a part. */
+  void moveTo(Component part, int x, int y) {
+    Point corner = on(part::getLocationOnScreen);
+    robot.mouseMove(corner.x + x, corner.y + y);
+    robot.waitForIdle();
+  }
+
+  /** Clicks on the middle of a part. */
+  void click(Component part) {
+    moveTo(part, part.getWidth() / 2, part.getHeight() / 2);
+    robot.mousePress(InputEvent.BUTTON1_DOWN_MASK);
+    robot.mouseRelease(InputEvent.BUTTON1_DOWN_MASK);
+    robot.waitForIdle();
+  }
+
+  /** Turns the wheel over a part, away from the user if negative. */
+  void wheel(int notches) {
+    robot.mouseWheel(notches);
+    robot.waitForIdle();
+  }
+
+  /** Returns what the screen shows in the middle of a part. */
+  int[] middle(Component part, int width, int height) {
+    robot.waitForIdle();
+    Point corner = on(part::getLocationOnScreen);
+    int x = corner.x + (int) Math.rint((part.getWidth() - width) / 2.0);
+    int y = corner.y + (int) Math.rint((part.getHeight() - height) / 2.0);
+    BufferedImage shot = robot.createScreenCapture(new Rectangle(x, y, width, height));
+    return shot.getRGB(0, 0, width, height, null, 0, width);
+  }
+
+  /** Returns what the event thread makes of something. */
+  static <T> T on(Callable<T> work) {
+    if (SwingUtilities.isEventDispatchThread()) {
+      try {
+        return work.call();
+      } catch (Exception e) {
+        throw new IllegalStateException(e);
+      }
+    }
+    FutureTask<T> task = new FutureTask<>(work);
+    try {
+      SwingUtilities.invokeAndWait(task);
+      return task.get();
+    } catch (InterruptedException
+        | InvocationTargetException
+        | java.util.concurrent.ExecutionException e) {
+      throw new IllegalStateException(e);
+    }
+  }
+
+  /** Closes the window and checks that it leaves no thread behind. */
+  @Override
+  public void close() {
+    on(
+        () -> {
+          frame.dispose();
+          return null;
+        });
+    try {
+      window.awaitClosed();
+      long end = System.nanoTime() + PATIENCE_MILLIS * 1_000_000L;
+      while (!threads().isEmpty() && System.nanoTime() < end) {
+        Thread.sleep(20);
+      }
+    } catch (InterruptedException e) {
+      throw new IllegalStateException("nothing interrupts a test", e);
+    }
+    assertEquals(List.of(), threads());
+  }
+
+  private static List<String> threads() {
+    return Thread.getAllStackTraces().keySet().stream()
+        .map(Thread::getName)
+        .filter(name -> name.startsWith("glint"))
+        .toList();
+  }
+}

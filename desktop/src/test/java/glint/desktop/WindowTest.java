@@ -1,0 +1,160 @@
+package glint.desktop;
+
+import static org.junit.jupiter.api.Assertions.assertArrayEquals;
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import glint.desktop.window.Picked;
+import glint.desktop.window.SceneSource;
+import glint.image.Image;
+import glint.render.Progress;
+import glint.render.RenderSettings;
+import glint.render.Renderer;
+import glint.scene.Prepared;
+import glint.scene.Scene;
+import java.awt.Component;
+import java.awt.event.KeyEvent;
+import java.io.PrintWriter;
+import java.io.Writer;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.Locale;
+import javax.swing.JButton;
+import javax.swing.JComponent;
+import javax.swing.JList;
+import org.junit.jupiter.api.Tag;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+
+/** Drives a real window. */
+@Tag("window")
+class WindowTest {
+
+  private static final Path GALLERY = Path.of("..", "scenes", "gallery.yaml");
+
+  @TempDir private Path dir;
+
+  @Test
+  void everySceneOfTheGalleryArrivesAsTheBatchRendersIt() throws Exception {
+    SceneSource.Found gallery = small(WindowCommand.read(List.of(GALLERY), err()));
+    assertTrue(gallery.scenes().size() > 10);
+    try (OnScreen screen = new OnScreen(List.of(GALLERY), files -> gallery)) {
+      JList<?> list = screen.part("scenes", JList.class);
+      Component view = screen.part("picture", JComponent.class);
+      screen.await("the list", () -> list.getModel().getSize() == gallery.scenes().size());
+      for (Picked picked : gallery.scenes()) {
+        String name = picked.scene().name();
+        screen.await(name, () -> screen.frame().getTitle().startsWith(name));
+        screen.awaitStatus("done");
+        screen.key(KeyEvent.VK_1);
+        Image batch = batch(picked.scene());
+        int[] expected = batch.toArgb(picked.scene().transfer());
+        assertArrayEquals(expected, screen.middle(view, batch.width(), batch.height()), name);
+        screen.key(KeyEvent.VK_DOWN);
+      }
+    }
+  }
+
+  @Test
+  void aRenderIsPausedGoesOnAndIsStopped() throws Exception {
+    SceneSource.Found gallery = WindowCommand.read(List.of(GALLERY), err());
+    try (OnScreen screen = new OnScreen(List.of(GALLERY), files -> gallery)) {
+      JButton pause = screen.part("Pause", JButton.class);
+      screen.awaitStatus("rendering");
+      screen.click(pause);
+      screen.awaitStatus("paused");
+      assertEquals("Continue", pause.getText());
+      String status = screen.text("status");
+      Thread.sleep(300);
+      assertEquals(status, screen.text("status"));
+      screen.key(KeyEvent.VK_SPACE);
+      screen.awaitStatus("rendering");
+      screen.key(KeyEvent.VK_ESCAPE);
+      screen.awaitStatus("stopped");
+      assertFalse(pause.isEnabled());
+    }
+  }
+
+  @Test
+  void closingEndsARender() throws Exception {
+    SceneSource.Found gallery = WindowCommand.read(List.of(GALLERY), err());
+    try (OnScreen screen = new OnScreen(List.of(GALLERY), files -> gallery)) {
+      screen.awaitStatus("rendering");
+    }
+  }
+
+  @Test
+  void thePixelUnderThePointerIsTold() throws Exception {
+    Path file = Scenes.write(dir.resolve("a.yaml"), "one", "two");
+    SceneSource source = files -> WindowCommand.read(files, err());
+    try (OnScreen screen = new OnScreen(List.of(file), source)) {
+      screen.awaitStatus("done");
+      screen.key(KeyEvent.VK_1);
+      Component view = screen.part("picture", JComponent.class);
+      Scene scene = source.read(List.of(file)).scenes().get(0).scene();
+      double[] rgb = batch(scene).rgb();
+      int left = (int) Math.rint((view.getWidth() - scene.width()) / 2.0);
+      int top = (int) Math.rint((view.getHeight() - scene.height()) / 2.0);
+      screen.moveTo(view, left + 20, top + 15);
+      int i = 3 * (15 * scene.width() + 20);
+      String value =
+          String.format(Locale.ROOT, "20, 15: %.5f %.5f %.5f", rgb[i], rgb[i + 1], rgb[i + 2]);
+      assertEquals(value, screen.text("pixel"));
+      screen.wheel(-3);
+      assertEquals(value, screen.text("pixel"));
+      screen.moveTo(view, 2, 2);
+      assertEquals(" ", screen.text("pixel"));
+    }
+  }
+
+  @Test
+  void whatIsWrongWithAFileIsShownBesideItsGoodScenes() throws Exception {
+    Path good = Scenes.write(dir.resolve("good.yaml"), "one");
+    Path bad = Scenes.write(dir.resolve("bad.yaml"), "two");
+    Files.writeString(bad, Files.readString(bad).replace("radius: 1", "radius: 0"));
+    SceneSource source = files -> WindowCommand.read(files, err());
+    try (OnScreen screen = new OnScreen(List.of(bad, good), source)) {
+      JList<?> problems = screen.part("problems", JList.class);
+      screen.await("the problem", () -> problems.getModel().getSize() == 1);
+      String line = problems.getModel().getElementAt(0).toString();
+      assertTrue(line.startsWith(bad + ":") && line.contains("radius"), line);
+      assertTrue(problems.isShowing() && problems.getHeight() > 0);
+      assertEquals(1, screen.part("scenes", JList.class).getModel().getSize());
+      screen.awaitStatus("done");
+    }
+  }
+
+  private static Image batch(Scene scene) {
+    Renderer renderer = new Renderer(Prepared.of(scene), RenderSettings.of(scene));
+    return renderer.render(Progress.NONE).image();
+  }
+
+  private static SceneSource.Found small(SceneSource.Found found) {
+    List<Picked> scenes =
+        found.scenes().stream().map(p -> new Picked(p.file(), small(p.scene()))).toList();
+    return new SceneSource.Found(scenes, found.problems());
+  }
+
+  private static Scene small(Scene s) {
+    return new Scene(
+        s.name(),
+        s.title(),
+        48,
+        32,
+        s.camera(),
+        s.background(),
+        s.lights(),
+        s.placements(),
+        s.highlight(),
+        s.transfer(),
+        s.maxDepth(),
+        List.of(),
+        s.turntable());
+  }
+
+  private static PrintWriter err() {
+    return new PrintWriter(Writer.nullWriter());
+  }
+}
