@@ -22,7 +22,7 @@ public enum Transfer {
 
     @Override
     public int code(double linear) {
-      return (int) (255 * encode(clamp(linear)) + 0.5);
+      return SrgbCodes.of(clamp(linear));
     }
   },
 

@@ -211,7 +211,8 @@ final class RenderRun {
   private BufferedImage picture(Image image) {
     int width = image.width();
     BufferedImage picture = new BufferedImage(width, image.height(), BufferedImage.TYPE_INT_RGB);
-    picture.setRGB(0, 0, width, image.height(), image.toArgb(scene.transfer()), 0, width);
+    int[] codes = image.toArgb(scene.transfer());
+    picture.getRaster().setDataElements(0, 0, width, image.height(), codes);
     return picture;
   }
 
