@@ -14,6 +14,8 @@ import java.awt.GraphicsEnvironment;
 import java.awt.Point;
 import java.awt.Rectangle;
 import java.awt.Robot;
+import java.awt.datatransfer.DataFlavor;
+import java.awt.datatransfer.Transferable;
 import java.awt.event.InputEvent;
 import java.awt.image.BufferedImage;
 import java.lang.reflect.InvocationTargetException;
@@ -26,6 +28,7 @@ import java.util.function.BooleanSupplier;
 import javax.swing.JFrame;
 import javax.swing.JLabel;
 import javax.swing.SwingUtilities;
+import javax.swing.TransferHandler;
 
 /** A real window, driven by mouse and keyboard and read off the screen. */
 final class OnScreen implements AutoCloseable {
@@ -106,6 +109,29 @@ final class OnScreen implements AutoCloseable {
     robot.mousePress(InputEvent.BUTTON1_DOWN_MASK);
     robot.mouseRelease(InputEvent.BUTTON1_DOWN_MASK);
     robot.waitForIdle();
+  }
+
+  /** Hands files to a window as a drop does; returns whether it took them. */
+  boolean drop(JFrame onto, List<Path> files) {
+    Transferable offer =
+        new Transferable() {
+          @Override
+          public DataFlavor[] getTransferDataFlavors() {
+            return new DataFlavor[] {DataFlavor.javaFileListFlavor};
+          }
+
+          @Override
+          public boolean isDataFlavorSupported(DataFlavor flavor) {
+            return DataFlavor.javaFileListFlavor.equals(flavor);
+          }
+
+          @Override
+          public Object getTransferData(DataFlavor flavor) {
+            return files.stream().map(Path::toFile).toList();
+          }
+        };
+    TransferHandler.TransferSupport support = new TransferHandler.TransferSupport(onto, offer);
+    return on(() -> onto.getTransferHandler().importData(support));
   }
 
   /** Turns the wheel over a part, away from the user if negative. */

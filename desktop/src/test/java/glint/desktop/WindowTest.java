@@ -126,6 +126,25 @@ class WindowTest {
     }
   }
 
+  @Test
+  void filesThatAreDroppedJoinTheListAndReplaceThemselves() throws Exception {
+    Path first = Scenes.write(dir.resolve("first.yaml"), "one", "two");
+    Path second = Scenes.write(dir.resolve("second.yaml"), "three", "four");
+    SceneSource source = files -> WindowCommand.read(files, err());
+    try (OnScreen screen = new OnScreen(List.of(first), source)) {
+      JList<?> list = screen.part("scenes", JList.class);
+      screen.await("the first", () -> list.getModel().getSize() == 2);
+      assertTrue(screen.drop(screen.frame(), List.of(second)));
+      screen.await("the second", () -> list.getModel().getSize() == 4);
+      assertTrue(screen.frame().getTitle().startsWith("three"), screen.frame().getTitle());
+      Scenes.write(first, "five");
+      assertTrue(screen.drop(screen.frame(), List.of(first)));
+      screen.await("the change", () -> list.getModel().getSize() == 3);
+      assertTrue(screen.frame().getTitle().startsWith("five"), screen.frame().getTitle());
+      screen.awaitStatus("done");
+    }
+  }
+
   private static Image batch(Scene scene) {
     Renderer renderer = new Renderer(Prepared.of(scene), RenderSettings.of(scene));
     return renderer.render(Progress.NONE).image();

@@ -6,15 +6,19 @@ import java.awt.Dimension;
 import java.awt.Point;
 import java.awt.event.WindowAdapter;
 import java.awt.event.WindowEvent;
+import java.io.File;
 import java.nio.file.Path;
+import java.util.Arrays;
 import java.util.List;
 import java.util.concurrent.CountDownLatch;
 import javax.swing.JButton;
+import javax.swing.JFileChooser;
 import javax.swing.JFrame;
 import javax.swing.JScrollPane;
 import javax.swing.JSplitPane;
 import javax.swing.SwingUtilities;
 import javax.swing.WindowConstants;
+import javax.swing.filechooser.FileNameExtensionFilter;
 
 /** The window; all of it belongs to the event thread. */
 public final class GlintWindow {
@@ -32,6 +36,7 @@ public final class GlintWindow {
   private Image linear;
   private Point pointer;
   private boolean paused;
+  private File folder = new File("").getAbsoluteFile();
 
   private GlintWindow(SceneSource source) {
     this.source = source;
@@ -61,6 +66,8 @@ public final class GlintWindow {
 
   private void lay() {
     Controls controls = new Controls(frame.getRootPane());
+    controls.add("Open", "O", this::choose);
+    controls.bar().addSeparator();
     pause = controls.add("Pause", "SPACE", this::pauseOrGoOn);
     controls.add("Stop", "ESCAPE", this::stop);
     controls.bar().addSeparator();
@@ -76,6 +83,8 @@ public final class GlintWindow {
     left.setResizeWeight(1);
     JSplitPane middle = new JSplitPane(JSplitPane.HORIZONTAL_SPLIT, left, view);
     middle.setDividerLocation(220);
+    frame.setTransferHandler(new FileDrop(this::read));
+    scenes.setTransferHandler(frame.getTransferHandler());
     frame.add(controls.bar(), BorderLayout.NORTH);
     frame.add(middle, BorderLayout.CENTER);
     frame.add(status, BorderLayout.SOUTH);
@@ -94,6 +103,18 @@ public final class GlintWindow {
     scenes.requestFocusInWindow();
   }
 
+  private void choose() {
+    JFileChooser chooser = new JFileChooser();
+    chooser.setMultiSelectionEnabled(true);
+    chooser.setCurrentDirectory(folder);
+    String[] endings = {"yaml", "yml", "txt", "nff", "obj"};
+    chooser.setFileFilter(new FileNameExtensionFilter("Scenes and models", endings));
+    if (chooser.showOpenDialog(frame) == JFileChooser.APPROVE_OPTION) {
+      read(Arrays.stream(chooser.getSelectedFiles()).map(File::toPath).toList());
+    }
+    folder = chooser.getCurrentDirectory();
+  }
+
   /** Reads files in the background and shows what they hold. */
   private void read(List<Path> files) {
     Thread reader =
@@ -109,7 +130,7 @@ public final class GlintWindow {
 
   private void show(SceneSource.Found found) {
     problems.show(found.problems());
-    scenes.show(found.scenes());
+    scenes.add(found.scenes());
   }
 
   private void render(Picked picked) {

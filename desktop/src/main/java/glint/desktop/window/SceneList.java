@@ -1,6 +1,8 @@
 package glint.desktop.window;
 
 import java.awt.Component;
+import java.nio.file.Path;
+import java.util.ArrayList;
 import java.util.List;
 import java.util.function.Consumer;
 import javax.swing.BorderFactory;
@@ -41,10 +43,23 @@ final class SceneList extends JList<Picked> {
     return -1;
   }
 
-  /** Shows these scenes and chooses the first. */
-  void show(List<Picked> scenes) {
-    setListData(scenes.toArray(new Picked[0]));
-    setSelectedIndex(scenes.isEmpty() ? -1 : 0);
+  /** Shows more scenes, in place of those of the same files, and chooses the first of them. */
+  void add(List<Picked> more) {
+    List<Path> files = more.stream().map(Picked::file).toList();
+    List<Picked> all = new ArrayList<>();
+    for (int i = 0; i < getModel().getSize(); i++) {
+      if (!files.contains(getModel().getElementAt(i).file())) {
+        all.add(getModel().getElementAt(i));
+      }
+    }
+    int first = all.size();
+    all.addAll(more);
+    if (!more.isEmpty()) {
+      setListData(all.toArray(new Picked[0]));
+      setSelectedIndex(first);
+      ensureIndexIsVisible(all.size() - 1);
+      ensureIndexIsVisible(first);
+    }
   }
 
   private static final class Cell extends DefaultListCellRenderer {
