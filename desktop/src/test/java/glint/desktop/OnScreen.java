@@ -27,6 +27,8 @@ import java.util.concurrent.FutureTask;
 import java.util.function.BooleanSupplier;
 import javax.swing.JFrame;
 import javax.swing.JLabel;
+import javax.swing.JList;
+import javax.swing.ListCellRenderer;
 import javax.swing.SwingUtilities;
 import javax.swing.TransferHandler;
 
@@ -74,6 +76,17 @@ final class OnScreen implements AutoCloseable {
   String text(String name) {
     JLabel label = part(name, JLabel.class);
     return on(label::getText);
+  }
+
+  /** Returns what a line of a list says, from 0. */
+  <T> String line(JList<T> list, int index) {
+    return on(
+        () -> {
+          T value = list.getModel().getElementAt(index);
+          ListCellRenderer<? super T> cells = list.getCellRenderer();
+          Component cell = cells.getListCellRendererComponent(list, value, index, false, false);
+          return ((JLabel) cell).getText();
+        });
   }
 
   /** Waits until something is so. */

@@ -134,6 +134,7 @@ class WindowTest {
     try (OnScreen screen = new OnScreen(List.of(first), source)) {
       JList<?> list = screen.part("scenes", JList.class);
       screen.await("the first", () -> list.getModel().getSize() == 2);
+      assertEquals("two", screen.line(list, 1));
       assertTrue(screen.drop(screen.frame(), List.of(second)));
       screen.await("the second", () -> list.getModel().getSize() == 4);
       assertTrue(screen.frame().getTitle().startsWith("three"), screen.frame().getTitle());

@@ -71,6 +71,7 @@ final class SceneList extends JList<Picked> {
       Picked picked = (Picked) value;
       JLabel label =
           (JLabel) super.getListCellRendererComponent(list, value, index, selected, focused);
+      label.setText(picked.scene().name());
       label.setBorder(BorderFactory.createEmptyBorder(4, 10, 4, 10));
       label.setToolTipText(picked.scene().title().isEmpty() ? null : picked.scene().title());
       return label;
