@@ -120,7 +120,7 @@ class WindowTest {
       screen.await("the problem", () -> problems.getModel().getSize() == 1);
       String line = problems.getModel().getElementAt(0).toString();
       assertTrue(line.startsWith(bad + ":") && line.contains("radius"), line);
-      assertTrue(problems.isShowing() && problems.getHeight() > 0);
+      assertTrue(problems.isShowing() && problems.getVisibleRect().height > 50);
       assertEquals(1, screen.part("scenes", JList.class).getModel().getSize());
       screen.awaitStatus("done");
     }

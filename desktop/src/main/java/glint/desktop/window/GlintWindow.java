@@ -14,6 +14,7 @@ import java.util.concurrent.CountDownLatch;
 import javax.swing.JButton;
 import javax.swing.JFileChooser;
 import javax.swing.JFrame;
+import javax.swing.JPanel;
 import javax.swing.JScrollPane;
 import javax.swing.JSplitPane;
 import javax.swing.SwingUtilities;
@@ -79,15 +80,18 @@ public final class GlintWindow {
     controls.add("Light or dark", "D", this::changeTheme);
     JScrollPane list = new JScrollPane(scenes);
     list.setMinimumSize(new Dimension(160, 100));
-    JSplitPane left = new JSplitPane(JSplitPane.VERTICAL_SPLIT, list, problems);
-    left.setResizeWeight(1);
+    JPanel left = new JPanel(new BorderLayout());
+    left.add(list, BorderLayout.CENTER);
     JSplitPane middle = new JSplitPane(JSplitPane.HORIZONTAL_SPLIT, left, view);
     middle.setDividerLocation(220);
     frame.setTransferHandler(new FileDrop(this::read));
     scenes.setTransferHandler(frame.getTransferHandler());
     frame.add(controls.bar(), BorderLayout.NORTH);
+    JPanel below = new JPanel(new BorderLayout());
+    below.add(problems, BorderLayout.CENTER);
+    below.add(status, BorderLayout.SOUTH);
     frame.add(middle, BorderLayout.CENTER);
-    frame.add(status, BorderLayout.SOUTH);
+    frame.add(below, BorderLayout.SOUTH);
     frame.setDefaultCloseOperation(WindowConstants.DISPOSE_ON_CLOSE);
     frame.addWindowListener(
         new WindowAdapter() {

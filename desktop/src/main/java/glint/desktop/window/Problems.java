@@ -17,7 +17,7 @@ final class Problems extends JScrollPane {
     list.setName("problems");
     list.getAccessibleContext().setAccessibleName("Problems");
     setViewportView(list);
-    setMinimumSize(new Dimension(0, 80));
+    setPreferredSize(new Dimension(0, 80));
     setVisible(false);
   }
 
@@ -25,6 +25,6 @@ final class Problems extends JScrollPane {
   void show(List<String> lines) {
     list.setListData(lines.toArray(new String[0]));
     setVisible(!lines.isEmpty());
-    revalidate();
+    getParent().revalidate();
   }
 }
