@@ -12,7 +12,9 @@ import java.nio.file.attribute.FileTime;
 import java.security.DigestInputStream;
 import java.security.MessageDigest;
 import java.util.ArrayList;
+import java.util.LinkedHashMap;
 import java.util.List;
+import java.util.Map;
 
 /** Reads scene files from disk, and the models that they name. */
 final class Inputs {
@@ -20,6 +22,7 @@ final class Inputs {
   private final List<Job> jobs = new ArrayList<>();
   private final List<Failed> problems = new ArrayList<>();
   private final List<String> notes = new ArrayList<>();
+  private final Map<Path, FileTime> parts = new LinkedHashMap<>();
   private int broken;
 
   private Inputs() {}
@@ -66,6 +69,11 @@ final class Inputs {
     return notes;
   }
 
+  /** Returns all files that were looked for, and when each was last changed. */
+  Map<Path, FileTime> parts() {
+    return parts;
+  }
+
   private void fail(Path file, String line) {
     problems.add(new Failed(file.toString(), line));
   }
@@ -75,7 +83,7 @@ final class Inputs {
       throw new IOException("is a folder, not a scene file");
     }
     long began = System.nanoTime();
-    ModelFolder folder = new ModelFolder(file);
+    ModelFolder folder = new ModelFolder(file, parts);
     MessageDigest digest = Digests.begin();
     SceneFile content;
     try (InputStream in = new DigestInputStream(Files.newInputStream(file), digest)) {

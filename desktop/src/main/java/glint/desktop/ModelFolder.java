@@ -1,5 +1,6 @@
 package glint.desktop;
 
+import glint.desktop.window.FileWatch;
 import glint.image.ByteImage;
 import glint.io.SceneFolder;
 import java.io.IOException;
@@ -12,6 +13,7 @@ import java.security.DigestInputStream;
 import java.security.MessageDigest;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Map;
 import java.util.function.Consumer;
 
 /**
@@ -22,11 +24,25 @@ final class ModelFolder implements SceneFolder {
 
   private final Path sceneFile;
   private final List<MessageDigest> digests = new ArrayList<>();
+  private final Map<Path, FileTime> parts;
   private FileTime newest;
 
-  ModelFolder(Path sceneFile) throws IOException {
+  /**
+   * Makes the folder of a scene file.
+   *
+   * @param parts is told of every file that is looked for, and when it was last changed
+   */
+  ModelFolder(Path sceneFile, Map<Path, FileTime> parts) throws IOException {
     this.sceneFile = sceneFile;
-    newest = Files.getLastModifiedTime(sceneFile);
+    this.parts = parts;
+    newest = modified(sceneFile);
+  }
+
+  private FileTime modified(Path file) throws IOException {
+    parts.put(file, FileWatch.MISSING);
+    FileTime modified = Files.getLastModifiedTime(file);
+    parts.put(file, modified);
+    return modified;
   }
 
   @Override
@@ -36,7 +52,7 @@ final class ModelFolder implements SceneFolder {
       if (Files.isDirectory(file)) {
         throw new IOException("is a folder, not a file");
       }
-      FileTime modified = Files.getLastModifiedTime(file);
+      FileTime modified = modified(file);
       MessageDigest digest = Digests.begin();
       InputStream in = new DigestInputStream(Files.newInputStream(file), digest);
       newest = newest.compareTo(modified) < 0 ? modified : newest;

@@ -1,5 +1,6 @@
 package glint.desktop;
 
+import glint.desktop.window.Desk;
 import glint.desktop.window.GlintWindow;
 import glint.desktop.window.Picked;
 import glint.desktop.window.SceneSource;
@@ -46,15 +47,23 @@ final class WindowCommand implements Callable<Integer> {
       throw new RunException(NO_DISPLAY);
     }
     List<Path> named = files.isEmpty() ? List.of(gallery()) : files;
-    GlintWindow.open(named, each -> read(each, err)).awaitClosed();
+    GlintWindow.open(named, desk(err)).awaitClosed();
     return ExitCode.DONE;
   }
 
-  static SceneSource.Found read(List<Path> files, PrintWriter err) {
-    Inputs inputs = Inputs.read(files, err);
+  private static Desk desk(PrintWriter err) {
+    return new Desk(file -> read(file, err), System.getenv());
+  }
+
+  /** Reads a file for the window. */
+  static SceneSource.Found read(Path file, PrintWriter err) {
+    Inputs inputs = Inputs.read(List.of(file), err);
     return new SceneSource.Found(
-        inputs.jobs().stream().map(job -> new Picked(job.file(), job.scene())).toList(),
-        inputs.problems().stream().map(Failed::message).toList());
+        inputs.jobs().stream()
+            .map(job -> new Picked(job.file(), job.digest(), job.scene()))
+            .toList(),
+        inputs.problems().stream().map(Failed::message).toList(),
+        inputs.parts());
   }
 
   /** Returns the gallery: in the folder scenes/ beside the lib/ that this program runs from. */

@@ -4,6 +4,7 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 import static org.junit.jupiter.api.Assumptions.assumeFalse;
 
+import glint.desktop.window.Desk;
 import glint.desktop.window.GlintWindow;
 import glint.desktop.window.SceneSource;
 import java.awt.AWTException;
@@ -22,6 +23,7 @@ import java.lang.reflect.InvocationTargetException;
 import java.nio.file.Path;
 import java.util.Arrays;
 import java.util.List;
+import java.util.Map;
 import java.util.concurrent.Callable;
 import java.util.concurrent.FutureTask;
 import java.util.function.BooleanSupplier;
@@ -43,8 +45,14 @@ final class OnScreen implements AutoCloseable {
 
   /** Opens a window; skips the test where there is no display. */
   OnScreen(List<Path> files, SceneSource source) throws InterruptedException, AWTException {
+    this(files, source, Map.of());
+  }
+
+  /** Opens a window where some variables are set; skips the test where there is no display. */
+  OnScreen(List<Path> files, SceneSource source, Map<String, String> environment)
+      throws InterruptedException, AWTException {
     assumeFalse(GraphicsEnvironment.isHeadless(), "no display: see tools/xvfb.sh");
-    window = GlintWindow.open(files, source);
+    window = GlintWindow.open(files, new Desk(source, environment));
     frame =
         (JFrame)
             Arrays.stream(Frame.getFrames()).filter(Frame::isDisplayable).findFirst().orElseThrow();
@@ -91,8 +99,13 @@ final class OnScreen implements AutoCloseable {
 
   /** Waits until something is so. */
   void await(String what, BooleanSupplier condition) throws InterruptedException {
+    awaitShown(what, () -> on(condition::getAsBoolean));
+  }
+
+  /** Waits until something is so that the event thread cannot tell, such as what is on screen. */
+  void awaitShown(String what, BooleanSupplier condition) throws InterruptedException {
     long end = System.nanoTime() + PATIENCE_MILLIS * 1_000_000L;
-    while (!on(condition::getAsBoolean)) {
+    while (!condition.getAsBoolean()) {
       assertTrue(System.nanoTime() < end, () -> what + " never came: " + text("status"));
       Thread.sleep(10);
     }
@@ -161,6 +174,12 @@ final class OnScreen implements AutoCloseable {
     int y = corner.y + (int) Math.rint((part.getHeight() - height) / 2.0);
     BufferedImage shot = robot.createScreenCapture(new Rectangle(x, y, width, height));
     return shot.getRGB(0, 0, width, height, null, 0, width);
+  }
+
+  /** Returns the whole window as the screen shows it. */
+  BufferedImage shot() {
+    robot.waitForIdle();
+    return robot.createScreenCapture(on(frame::getBounds));
   }
 
   /** Returns what the event thread makes of something. */

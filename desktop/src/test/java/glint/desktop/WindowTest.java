@@ -38,9 +38,9 @@ class WindowTest {
 
   @Test
   void everySceneOfTheGalleryArrivesAsTheBatchRendersIt() throws Exception {
-    SceneSource.Found gallery = small(WindowCommand.read(List.of(GALLERY), err()));
+    SceneSource.Found gallery = small(WindowCommand.read(GALLERY, err()));
     assertTrue(gallery.scenes().size() > 10);
-    try (OnScreen screen = new OnScreen(List.of(GALLERY), files -> gallery)) {
+    try (OnScreen screen = new OnScreen(List.of(GALLERY), file -> gallery)) {
       JList<?> list = screen.part("scenes", JList.class);
       Component view = screen.part("picture", JComponent.class);
       screen.await("the list", () -> list.getModel().getSize() == gallery.scenes().size());
@@ -49,7 +49,7 @@ class WindowTest {
         screen.await(name, () -> screen.frame().getTitle().startsWith(name));
         screen.awaitStatus("done");
         screen.key(KeyEvent.VK_1);
-        Image batch = batch(picked.scene());
+        Image batch = image(picked.scene());
         int[] expected = batch.toArgb(picked.scene().transfer());
         assertArrayEquals(expected, screen.middle(view, batch.width(), batch.height()), name);
         screen.key(KeyEvent.VK_DOWN);
@@ -59,8 +59,8 @@ class WindowTest {
 
   @Test
   void aRenderIsPausedGoesOnAndIsStopped() throws Exception {
-    SceneSource.Found gallery = WindowCommand.read(List.of(GALLERY), err());
-    try (OnScreen screen = new OnScreen(List.of(GALLERY), files -> gallery)) {
+    SceneSource.Found gallery = WindowCommand.read(GALLERY, err());
+    try (OnScreen screen = new OnScreen(List.of(GALLERY), file -> gallery)) {
       JButton pause = screen.part("Pause", JButton.class);
       screen.awaitStatus("rendering");
       screen.click(pause);
@@ -79,8 +79,8 @@ class WindowTest {
 
   @Test
   void closingEndsARender() throws Exception {
-    SceneSource.Found gallery = WindowCommand.read(List.of(GALLERY), err());
-    try (OnScreen screen = new OnScreen(List.of(GALLERY), files -> gallery)) {
+    SceneSource.Found gallery = WindowCommand.read(GALLERY, err());
+    try (OnScreen screen = new OnScreen(List.of(GALLERY), file -> gallery)) {
       screen.awaitStatus("rendering");
     }
   }
@@ -88,13 +88,13 @@ class WindowTest {
   @Test
   void thePixelUnderThePointerIsTold() throws Exception {
     Path file = Scenes.write(dir.resolve("a.yaml"), "one", "two");
-    SceneSource source = files -> WindowCommand.read(files, err());
+    SceneSource source = each -> WindowCommand.read(each, err());
     try (OnScreen screen = new OnScreen(List.of(file), source)) {
       screen.awaitStatus("done");
       screen.key(KeyEvent.VK_1);
       Component view = screen.part("picture", JComponent.class);
-      Scene scene = source.read(List.of(file)).scenes().get(0).scene();
-      double[] rgb = batch(scene).rgb();
+      Scene scene = source.read(file).scenes().get(0).scene();
+      double[] rgb = image(scene).rgb();
       int left = (int) Math.rint((view.getWidth() - scene.width()) / 2.0);
       int top = (int) Math.rint((view.getHeight() - scene.height()) / 2.0);
       screen.moveTo(view, left + 20, top + 15);
@@ -114,13 +114,14 @@ class WindowTest {
     Path good = Scenes.write(dir.resolve("good.yaml"), "one");
     Path bad = Scenes.write(dir.resolve("bad.yaml"), "two");
     Files.writeString(bad, Files.readString(bad).replace("radius: 1", "radius: 0"));
-    SceneSource source = files -> WindowCommand.read(files, err());
+    SceneSource source = each -> WindowCommand.read(each, err());
     try (OnScreen screen = new OnScreen(List.of(bad, good), source)) {
       JList<?> problems = screen.part("problems", JList.class);
       screen.await("the problem", () -> problems.getModel().getSize() == 1);
       String line = problems.getModel().getElementAt(0).toString();
       assertTrue(line.startsWith(bad + ":") && line.contains("radius"), line);
-      assertTrue(problems.isShowing() && problems.getVisibleRect().height > 50);
+      screen.await("its line", () -> problems.isShowing() && problems.getHeight() > 0);
+      assertTrue(problems.getVisibleRect().contains(problems.getCellBounds(0, 0)));
       assertEquals(1, screen.part("scenes", JList.class).getModel().getSize());
       screen.awaitStatus("done");
     }
@@ -130,7 +131,7 @@ class WindowTest {
   void filesThatAreDroppedJoinTheListAndReplaceThemselves() throws Exception {
     Path first = Scenes.write(dir.resolve("first.yaml"), "one", "two");
     Path second = Scenes.write(dir.resolve("second.yaml"), "three", "four");
-    SceneSource source = files -> WindowCommand.read(files, err());
+    SceneSource source = each -> WindowCommand.read(each, err());
     try (OnScreen screen = new OnScreen(List.of(first), source)) {
       JList<?> list = screen.part("scenes", JList.class);
       screen.await("the first", () -> list.getModel().getSize() == 2);
@@ -146,15 +147,22 @@ class WindowTest {
     }
   }
 
-  private static Image batch(Scene scene) {
+  /** Returns the codes of a scene's image as the batch renders it. */
+  static int[] batch(Scene scene) {
+    return image(scene).toArgb(scene.transfer());
+  }
+
+  private static Image image(Scene scene) {
     Renderer renderer = new Renderer(Prepared.of(scene), RenderSettings.of(scene));
     return renderer.render(Progress.NONE).image();
   }
 
   private static SceneSource.Found small(SceneSource.Found found) {
     List<Picked> scenes =
-        found.scenes().stream().map(p -> new Picked(p.file(), small(p.scene()))).toList();
-    return new SceneSource.Found(scenes, found.problems());
+        found.scenes().stream()
+            .map(p -> new Picked(p.file(), p.digest(), small(p.scene())))
+            .toList();
+    return new SceneSource.Found(scenes, found.problems(), found.parts());
   }
 
   private static Scene small(Scene s) {

@@ -7,10 +7,13 @@ import java.awt.Point;
 import java.awt.event.WindowAdapter;
 import java.awt.event.WindowEvent;
 import java.io.File;
+import java.io.IOException;
 import java.nio.file.Path;
 import java.util.Arrays;
 import java.util.List;
 import java.util.concurrent.CountDownLatch;
+import javax.swing.Action;
+import javax.swing.Box;
 import javax.swing.JButton;
 import javax.swing.JFileChooser;
 import javax.swing.JFrame;
@@ -28,8 +31,11 @@ public final class GlintWindow {
   private final PictureView view = new PictureView(this::point);
   private final StatusBar status = new StatusBar();
   private final SceneList scenes = new SceneList(this::render);
-  private final Problems problems = new Problems();
-  private final SceneSource source;
+  private final Notice notice = new Notice();
+  private final Workers workers = new Workers();
+  private final Problems problems = new Problems(this::edit);
+  private final OpenFiles files;
+  private final Editor editor;
   private final CountDownLatch closed = new CountDownLatch(1);
   private JButton pause;
   private Theme theme = Theme.LIGHT;
@@ -39,24 +45,25 @@ public final class GlintWindow {
   private boolean paused;
   private File folder = new File("").getAbsoluteFile();
 
-  private GlintWindow(SceneSource source) {
-    this.source = source;
+  private GlintWindow(Desk desk) {
+    files = new OpenFiles(desk.scenes(), scenes, problems, workers);
+    editor = new Editor(desk.environment());
   }
 
   /** Opens a window with the scenes of files and returns it; not for the event thread. */
-  public static GlintWindow open(List<Path> files, SceneSource source) throws InterruptedException {
+  public static GlintWindow open(List<Path> files, Desk desk) throws InterruptedException {
     GlintWindow[] made = new GlintWindow[1];
     try {
       SwingUtilities.invokeAndWait(
           () -> {
             Theme.LIGHT.apply();
-            made[0] = new GlintWindow(source);
+            made[0] = new GlintWindow(desk);
             made[0].lay();
           });
     } catch (java.lang.reflect.InvocationTargetException e) {
       throw new IllegalStateException("the window cannot be opened: " + e.getCause(), e.getCause());
     }
-    made[0].read(files);
+    made[0].files.open(files);
     return made[0];
   }
 
@@ -67,24 +74,16 @@ public final class GlintWindow {
 
   private void lay() {
     Controls controls = new Controls(frame.getRootPane());
-    controls.add("Open", "O", this::choose);
-    controls.bar().addSeparator();
-    pause = controls.add("Pause", "SPACE", this::pauseOrGoOn);
-    controls.add("Stop", "ESCAPE", this::stop);
-    controls.bar().addSeparator();
-    controls.add("Fit", "F", view::fit);
-    controls.add("1:1", "1", view::oneToOne);
-    controls.add("Larger", "PLUS", () -> view.zoomBy(1));
-    controls.add("Smaller", "MINUS", () -> view.zoomBy(-1));
-    controls.bar().addSeparator();
-    controls.add("Light or dark", "D", this::changeTheme);
+    addCommands(controls);
+    controls.bar().add(Box.createHorizontalGlue());
+    controls.bar().add(notice);
     JScrollPane list = new JScrollPane(scenes);
     list.setMinimumSize(new Dimension(160, 100));
     JPanel left = new JPanel(new BorderLayout());
     left.add(list, BorderLayout.CENTER);
     JSplitPane middle = new JSplitPane(JSplitPane.HORIZONTAL_SPLIT, left, view);
     middle.setDividerLocation(220);
-    frame.setTransferHandler(new FileDrop(this::read));
+    frame.setTransferHandler(new FileDrop(files::open));
     scenes.setTransferHandler(frame.getTransferHandler());
     frame.add(controls.bar(), BorderLayout.NORTH);
     JPanel below = new JPanel(new BorderLayout());
@@ -98,6 +97,7 @@ public final class GlintWindow {
           @Override
           public void windowClosed(WindowEvent e) {
             stop();
+            workers.end();
             closed.countDown();
           }
         });
@@ -107,6 +107,25 @@ public final class GlintWindow {
     scenes.requestFocusInWindow();
   }
 
+  private void addCommands(Controls controls) {
+    controls.menu("File");
+    controls.add("Open", "O, menu O", this::choose);
+    controls.item("Next problem", "F8", problems::openNext);
+    controls.item("Close", "menu W, menu Q", frame::dispose);
+    controls.gap();
+    controls.menu("Render");
+    pause = controls.add("Pause", "SPACE", this::pauseOrGoOn);
+    controls.add("Stop", "ESCAPE", this::stop);
+    controls.gap();
+    controls.menu("View");
+    controls.add("Fit", "F", view::fit);
+    controls.add("1:1", "1", view::oneToOne);
+    controls.item("Larger", "PLUS, shift EQUALS, EQUALS, ADD", () -> view.zoomBy(1));
+    controls.item("Smaller", "MINUS, SUBTRACT", () -> view.zoomBy(-1));
+    controls.gap();
+    controls.item("Light or dark", "D", this::changeTheme);
+  }
+
   private void choose() {
     JFileChooser chooser = new JFileChooser();
     chooser.setMultiSelectionEnabled(true);
@@ -114,27 +133,21 @@ public final class GlintWindow {
     String[] endings = {"yaml", "yml", "txt", "nff", "obj"};
     chooser.setFileFilter(new FileNameExtensionFilter("Scenes and models", endings));
     if (chooser.showOpenDialog(frame) == JFileChooser.APPROVE_OPTION) {
-      read(Arrays.stream(chooser.getSelectedFiles()).map(File::toPath).toList());
+      files.open(Arrays.stream(chooser.getSelectedFiles()).map(File::toPath).toList());
     }
     folder = chooser.getCurrentDirectory();
   }
 
-  /** Reads files in the background and shows what they hold. */
-  private void read(List<Path> files) {
-    Thread reader =
-        new Thread(
-            () -> {
-              SceneSource.Found found = source.read(files);
-              SwingUtilities.invokeLater(() -> show(found));
-            },
-            "glint-window-read");
-    reader.setDaemon(true);
-    reader.start();
-  }
-
-  private void show(SceneSource.Found found) {
-    problems.show(found.problems());
-    scenes.add(found.scenes());
+  private void edit(Place place) {
+    workers.run(
+        () -> {
+          try {
+            editor.open(place);
+          } catch (IOException | RuntimeException e) {
+            String why = "cannot open " + place + ": " + e.getMessage();
+            SwingUtilities.invokeLater(() -> notice.say(why));
+          }
+        });
   }
 
   private void render(Picked picked) {
@@ -158,8 +171,8 @@ public final class GlintWindow {
     linear = snapshot.linear().orElse(linear);
     status.show(snapshot);
     paused = snapshot.state() == Snapshot.State.PAUSED;
-    pause.setText(paused ? "Continue" : "Pause");
-    pause.setEnabled(!snapshot.state().isOver());
+    pause.getAction().putValue(Action.NAME, paused ? "Continue" : "Pause");
+    pause.getAction().setEnabled(!snapshot.state().isOver());
     point(pointer);
   }
 

@@ -1,9 +1,8 @@
 package glint.desktop.window;
 
 import java.awt.Component;
-import java.nio.file.Path;
-import java.util.ArrayList;
 import java.util.List;
+import java.util.Optional;
 import java.util.function.Consumer;
 import javax.swing.BorderFactory;
 import javax.swing.DefaultListCellRenderer;
@@ -18,6 +17,8 @@ final class SceneList extends JList<Picked> {
 
   private static final long serialVersionUID = 1;
 
+  private boolean silent;
+
   /**
    * Makes an empty list.
    *
@@ -31,7 +32,7 @@ final class SceneList extends JList<Picked> {
     getInputMap().put(KeyStroke.getKeyStroke("SPACE"), "none"); // it pauses, anywhere in the window
     addListSelectionListener(
         e -> {
-          if (!e.getValueIsAdjusting() && getSelectedValue() != null) {
+          if (!silent && !e.getValueIsAdjusting() && getSelectedValue() != null) {
             chosen.accept(getSelectedValue());
           }
         });
@@ -43,23 +44,25 @@ final class SceneList extends JList<Picked> {
     return -1;
   }
 
-  /** Shows more scenes, in place of those of the same files, and chooses the first of them. */
-  void add(List<Picked> more) {
-    List<Path> files = more.stream().map(Picked::file).toList();
-    List<Picked> all = new ArrayList<>();
-    for (int i = 0; i < getModel().getSize(); i++) {
-      if (!files.contains(getModel().getElementAt(i).file())) {
-        all.add(getModel().getElementAt(i));
-      }
+  /**
+   * Shows scenes instead of those before. Without a choice the same scene stays chosen, and is only
+   * heard of again if it has changed; if it is gone, none is chosen.
+   */
+  void show(List<Picked> scenes, Optional<Picked> choice) {
+    Picked before = getSelectedValue();
+    Optional<Picked> next =
+        choice.isPresent() || before == null
+            ? choice
+            : scenes.stream().filter(before::isVersionOf).findFirst();
+    boolean same = before != null && next.isPresent() && choice.isEmpty();
+    silent = same && before.digest().equals(next.get().digest());
+    setListData(scenes.toArray(new Picked[0]));
+    next.ifPresent(picked -> setSelectedIndex(scenes.indexOf(picked)));
+    silent = false;
+    if (choice.isPresent()) {
+      ensureIndexIsVisible(scenes.size() - 1);
     }
-    int first = all.size();
-    all.addAll(more);
-    if (!more.isEmpty()) {
-      setListData(all.toArray(new Picked[0]));
-      setSelectedIndex(first);
-      ensureIndexIsVisible(all.size() - 1);
-      ensureIndexIsVisible(first);
-    }
+    ensureIndexIsVisible(getSelectedIndex());
   }
 
   private static final class Cell extends DefaultListCellRenderer {
