@@ -1,6 +1,7 @@
 package glint.io;
 
 import glint.io.YamlNode.Mapping;
+import glint.math.Check;
 import glint.math.Vector3d;
 import glint.scene.Background;
 import glint.scene.Camera;
@@ -67,10 +68,20 @@ final class CameraReader {
     boolean horizontal = f.has("horizontal");
     String key = horizontal ? "horizontal" : "vertical";
     double degrees = f.number(key, 1);
+    Double aspect = f.has("aspect") ? aspect(f.get("aspect")) : Double.valueOf(0);
     YamlNode number = f.has(key) ? f.get(key) : node;
-    return f.isSound()
-        ? values.checked(number, () -> new Perspective(degrees, horizontal, 0))
+    return f.isSound() && aspect != null
+        ? values.checked(number, () -> new Perspective(degrees, horizontal, aspect))
         : null;
+  }
+
+  private Double aspect(YamlNode node) {
+    return values.checkedNumber(
+        node,
+        v -> {
+          Check.positive("aspect", v);
+          return v;
+        });
   }
 
   Background background(YamlNode node) {

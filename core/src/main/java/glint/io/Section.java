@@ -22,7 +22,7 @@ enum Section {
   IMAGE("an image", "width height", ""),
   CAMERA("a camera", "position look_at up fov orthographic near far lens", ""),
   LENS("a lens", "radius focus", ""),
-  FOV("an angle of view", "vertical horizontal", ""),
+  FOV("an angle of view", "vertical horizontal aspect", ""),
   BACKGROUND("a background", "down up", ""),
   LIGHT("a light", "ambient point directional spot sphere rectangle", "environment"),
   AMBIENT("an ambient light", "color", ""),

@@ -72,12 +72,21 @@ public record Scene(
   }
 
   private Scene frame(Turntable table, int frame) {
+    return picture(name + Turntable.suffix(frame), width, height, table.camera(camera, frame));
+  }
+
+  /** Returns another picture of the same world, of which nothing is expected. */
+  public Scene seenBy(Camera other, int newWidth, int newHeight) {
+    return picture(name, newWidth, newHeight, other);
+  }
+
+  private Scene picture(String newName, int newWidth, int newHeight, Camera newCamera) {
     return new Scene(
-        name + Turntable.suffix(frame),
+        newName,
         title,
-        width,
-        height,
-        table.camera(camera, frame),
+        newWidth,
+        newHeight,
+        newCamera,
         background,
         lights,
         placements,

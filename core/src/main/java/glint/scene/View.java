@@ -117,6 +117,31 @@ public final class View {
     return lensRadius == 0;
   }
 
+  /** Returns the unit vector along the view. */
+  Vector3d forward() {
+    return forward;
+  }
+
+  /** Returns the unit vector that points to the right in the picture. */
+  Vector3d right() {
+    return right;
+  }
+
+  /** Returns the unit vector that points up in the picture. */
+  Vector3d up() {
+    return up;
+  }
+
+  /** Returns half the width of the picture plane: at distance 1, or in scene units. */
+  double halfWidth() {
+    return halfWidth;
+  }
+
+  /** Returns half the height of the picture plane: at distance 1, or in scene units. */
+  double halfHeight() {
+    return halfHeight;
+  }
+
   /** Returns where it is seen from: of an orthographic camera a point far behind the picture. */
   public Vector3d eye() {
     Vector3d eye = camera.position();

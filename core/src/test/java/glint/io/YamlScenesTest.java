@@ -144,7 +144,8 @@ class YamlScenesTest {
 
   @Test
   void ownCameraReplacesTheDefaultOneWhole() {
-    assertEquals(Camera.of(v(0, 0, 9), O, Y, Projection.vertical(30)), scenes.get(2).camera());
+    Perspective wide = new Perspective(30, false, 1.5);
+    assertEquals(Camera.of(v(0, 0, 9), O, Y, wide), scenes.get(2).camera());
   }
 
   @Test
