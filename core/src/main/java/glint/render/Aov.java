@@ -13,5 +13,10 @@ public enum Aov {
   /** The camera rays that the pixel took. */
   SAMPLES,
   /** The estimate of the pixel's RMS error, in display levels. */
-  ERROR
+  ERROR;
+
+  /** Returns whether it is of the scene, not of the render. */
+  boolean isOfScene() {
+    return this != SAMPLES && this != ERROR;
+  }
 }

@@ -13,17 +13,19 @@ final class Looker {
 
   private final Prepared scene;
   private final Map<Aov, Image> aovs;
+  private final boolean needed;
   private final Ray ray = new Ray();
   private final Texel pattern = new Texel();
 
   Looker(Prepared scene, Map<Aov, Image> aovs) {
     this.scene = scene;
     this.aovs = aovs;
+    needed = aovs.keySet().stream().anyMatch(Aov::isOfScene);
   }
 
-  /** Looks through a pixel's centre, if there are pictures to fill. */
+  /** Looks through a pixel's centre, if there are pictures of the scene to fill. */
   void look(Probe probe, int x, int y) {
-    if (aovs.isEmpty()) {
+    if (!needed) {
       return;
     }
     Hit hit = probe.look(x + 0.5, y + 0.5, ray);

@@ -2,6 +2,7 @@ package glint.render;
 
 import glint.image.Image;
 import glint.scene.Prepared;
+import java.util.Collections;
 import java.util.EnumMap;
 import java.util.Map;
 import java.util.concurrent.CancellationException;
@@ -77,6 +78,15 @@ public final class Renderer {
   /** Returns the image, not a copy: it grows while tiles finish. */
   public Image image() {
     return image;
+  }
+
+  /**
+   * Returns the extra pictures, not copies. In a render to an error those of the render itself,
+   * {@link Aov#ERROR} and {@link Aov#SAMPLES}, are up to date whenever {@link
+   * Progress#pictureImproved} is heard with a finite error; the others are filled at the end.
+   */
+  public Map<Aov, Image> aovs() {
+    return Collections.unmodifiableMap(aovs);
   }
 
   private Statistics statistics(Traced traced, double seconds) {

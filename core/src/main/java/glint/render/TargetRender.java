@@ -19,6 +19,7 @@ final class TargetRender implements Method {
   private final Film film;
   private final CornerGrid corners;
   private final Sides sides;
+  private Rounds rounds;
 
   TargetRender(
       Prepared scene,
@@ -49,9 +50,10 @@ final class TargetRender implements Method {
     }
     try (Crew<Refiner> crew = new Crew<>(refiners, cancelled)) {
       SmallThings small = new SmallThings(scene, refiners.get(0).probe.view(), corners);
-      Rounds rounds = new Rounds(small, settings, film, corners, sides, scale, crew, progress);
+      Progress filling = aovs.isEmpty() ? progress : new Filling(progress);
+      rounds = new Rounds(small, settings, film, corners, sides, scale, crew, filling);
       double error = rounds.run(goal.levels() * (1 - Cutoff.SHARE), deadline);
-      look(crew, rounds);
+      look(crew);
       return traced(refiners, error);
     }
   }
@@ -61,7 +63,7 @@ final class TargetRender implements Method {
     return nanos < 0x1p62 ? System.nanoTime() + (long) nanos : Long.MAX_VALUE;
   }
 
-  private void look(Crew<Refiner> crew, Rounds rounds) throws InterruptedException {
+  private void look(Crew<Refiner> crew) throws InterruptedException {
     if (aovs.isEmpty()) {
       return;
     }
@@ -72,6 +74,11 @@ final class TargetRender implements Method {
           Looker looker = new Looker(scene, aovs);
           tiles.forEach(i, (x, y) -> looker.look(refiner.probe, x, y));
         });
+    fill();
+  }
+
+  /** Fills the pictures of the render itself. */
+  private void fill() {
     Image errors = aovs.get(Aov.ERROR);
     Image samples = aovs.get(Aov.SAMPLES);
     for (int pixel = 0; pixel < film.kind.length; pixel++) {
@@ -85,6 +92,28 @@ final class TargetRender implements Method {
         int n = rays(x, y);
         samples.set(x, y, n, n, n);
       }
+    }
+  }
+
+  /** Fills pictures before others hear of the image. */
+  private final class Filling implements Progress {
+    private final Progress progress;
+
+    Filling(Progress progress) {
+      this.progress = progress;
+    }
+
+    @Override
+    public void tileDone(int done, int total, long rays) {
+      progress.tileDone(done, total, rays);
+    }
+
+    @Override
+    public void pictureImproved(double error, long rays) {
+      if (error < Double.POSITIVE_INFINITY) {
+        fill();
+      }
+      progress.pictureImproved(error, rays);
     }
   }
 

@@ -1,5 +1,6 @@
 package glint.render;
 
+import static org.junit.jupiter.api.Assertions.assertArrayEquals;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertThrows;
@@ -8,6 +9,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import glint.scene.Prepared;
 import glint.scene.Scene;
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.List;
 import java.util.OptionalInt;
 import java.util.Set;
@@ -52,6 +54,39 @@ class PicturesOnTheWayTest {
       assertTrue(rays.get(0) >= blocks && rays.get(0) < rays.get(1), rays.toString());
       assertTrue(rays.get(rays.size() - 1) <= result.statistics().rays().total());
     }
+  }
+
+  @Test
+  void whatPixelsClaimAndTookIsThereWithEveryPicture() {
+    RenderSettings plain = settings(45, 29);
+    Set<Aov> aovs = Set.of(Aov.ERROR, Aov.SAMPLES);
+    Renderer renderer =
+        new Renderer(Prepared.of(SCENE), plain.aiming(plain.goal(), plain.seed(), aovs));
+    List<double[]> errors = new ArrayList<>();
+    List<double[]> samples = new ArrayList<>();
+    RenderResult result =
+        renderer.render(
+            new Heard() {
+              @Override
+              public void pictureImproved(double error, long traced) {
+                if (error < Double.POSITIVE_INFINITY) {
+                  errors.add(renderer.aovs().get(Aov.ERROR).rgb().clone());
+                  samples.add(renderer.aovs().get(Aov.SAMPLES).rgb().clone());
+                  double squares =
+                      Arrays.stream(errors.get(errors.size() - 1)).map(e -> e * e).sum();
+                  double rms = Math.sqrt(squares / (3 * 45 * 29));
+                  assertTrue(rms > error / 4 && rms <= error, rms + " of " + error);
+                }
+              }
+            });
+    int last = errors.size() - 1;
+    assertTrue(last > 0);
+    assertArrayEquals(result.aovs().get(Aov.ERROR).rgb(), errors.get(last));
+    assertArrayEquals(result.aovs().get(Aov.SAMPLES).rgb(), samples.get(last));
+    assertTrue(Arrays.stream(samples.get(0)).sum() < Arrays.stream(samples.get(last)).sum());
+    Statistics without = renderer(45, 29).render(Progress.NONE).statistics();
+    assertEquals(without.sha256(), result.statistics().sha256());
+    assertEquals(without.rays().total(), result.statistics().rays().total());
   }
 
   @Test
@@ -105,10 +140,12 @@ class PicturesOnTheWayTest {
   }
 
   private static Renderer renderer(int width, int height) {
+    return new Renderer(Prepared.of(SCENE), settings(width, height));
+  }
+
+  private static RenderSettings settings(int width, int height) {
     Goal goal = new Goal.Error(1);
-    RenderSettings settings =
-        new RenderSettings(width, height, goal, 0, OptionalInt.empty(), 2, 16, Set.of());
-    return new Renderer(Prepared.of(SCENE), settings);
+    return new RenderSettings(width, height, goal, 0, OptionalInt.empty(), 2, 16, Set.of());
   }
 
   /** Hears nothing of tiles. */

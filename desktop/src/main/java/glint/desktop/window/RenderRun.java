@@ -2,14 +2,17 @@ package glint.desktop.window;
 
 import glint.desktop.window.Snapshot.State;
 import glint.image.Image;
+import glint.render.Aov;
 import glint.render.Goal;
 import glint.render.Progress;
 import glint.render.RenderSettings;
 import glint.render.Renderer;
+import glint.render.Statistics;
 import glint.scene.Prepared;
 import glint.scene.Scene;
 import java.awt.image.BufferedImage;
 import java.util.Optional;
+import java.util.Set;
 import java.util.concurrent.CancellationException;
 import java.util.function.Consumer;
 
@@ -33,7 +36,9 @@ final class RenderRun {
   private final Clock clock = new Clock();
   private final Object change = new Object();
   private State state = State.PREPARING;
+  private Prepared prepared;
   private Renderer renderer;
+  private Statistics statistics;
   private boolean improved;
   private boolean shown;
   private long rays;
@@ -48,7 +53,8 @@ final class RenderRun {
   RenderRun(Scene scene, Consumer<Snapshot> listener) {
     this.scene = scene;
     this.listener = listener;
-    settings = RenderSettings.of(scene);
+    RenderSettings plain = RenderSettings.of(scene);
+    settings = plain.aiming(plain.goal(), plain.seed(), Set.of(Aov.ERROR, Aov.SAMPLES));
   }
 
   /** Begins. */
@@ -82,12 +88,13 @@ final class RenderRun {
 
   private void render() {
     try {
-      Prepared prepared = Prepared.of(scene);
+      prepared = Prepared.of(scene);
       Renderer next = new Renderer(prepared, settings);
       if (begin(next)) {
-        double claimed = next.render(new Listener()).statistics().samplingError();
+        Statistics all = next.render(new Listener()).statistics();
         synchronized (change) {
-          error = claimed;
+          statistics = all;
+          error = all.samplingError();
         }
         finish(State.DONE, "");
       }
@@ -185,7 +192,11 @@ final class RenderRun {
     long traced;
     double claimed;
     String reason;
+    Findings findings = null;
     synchronized (change) {
+      if (renderer != null) {
+        findings = new Findings(prepared, renderer.aovs(), Optional.ofNullable(statistics));
+      }
       image = shown || told == State.DONE ? renderer.image() : null;
       traced = rays;
       claimed = error;
@@ -199,6 +210,7 @@ final class RenderRun {
         traced,
         clock.seconds(),
         claimed,
+        Optional.ofNullable(findings),
         reason);
   }
 

@@ -13,6 +13,7 @@ import java.util.Optional;
  * @param rays rays traced so far
  * @param seconds time since the render was chosen, pauses left out
  * @param error what is claimed for the picture, in levels; infinite while unknown
+ * @param findings what else is known; absent while preparing
  * @param message what went wrong; empty if nothing did
  */
 record Snapshot(
@@ -23,6 +24,7 @@ record Snapshot(
     long rays,
     double seconds,
     double error,
+    Optional<Findings> findings,
     String message) {
 
   /** Where a render stands. */
