@@ -22,7 +22,6 @@ import org.objectweb.asm.ClassWriter;
 import org.objectweb.asm.FieldVisitor;
 import org.objectweb.asm.MethodVisitor;
 import org.objectweb.asm.Opcodes;
-import org.objectweb.asm.Type;
 
 /**
  * Writes {@code android.jar} and {@code core-for-system-modules.jar} as an Android SDK has them:
@@ -131,7 +130,8 @@ public final class AndroidPlatform {
     return writer.toByteArray();
   }
 
-  private static boolean known(String annotation) {
+  /** Whether javac knows an annotation. */
+  static boolean known(String annotation) {
     return annotation.startsWith("Ljava/lang/");
   }
 
@@ -182,53 +182,7 @@ public final class AndroidPlatform {
       }
       MethodVisitor next = super.visitMethod(access, name, type, signature, exceptions);
       boolean body = (access & (Opcodes.ACC_ABSTRACT | Opcodes.ACC_NATIVE)) == 0;
-      return new Signature(next, type, body);
-    }
-  }
-
-  /** Replaces a method's body, where it has one, by {@code throw new RuntimeException("Stub!")}. */
-  private static final class Signature extends MethodVisitor {
-    private static final String THROWN = "java/lang/RuntimeException";
-
-    private final MethodVisitor next;
-    private final String type;
-    private final boolean body;
-
-    Signature(MethodVisitor next, String type, boolean body) {
-      super(Opcodes.ASM9); // without a next visitor: the old instructions go nowhere
-      this.next = next;
-      this.type = type;
-      this.body = body;
-    }
-
-    @Override
-    public AnnotationVisitor visitAnnotation(String annotation, boolean visible) {
-      return known(annotation) ? next.visitAnnotation(annotation, visible) : null;
-    }
-
-    @Override
-    public AnnotationVisitor visitAnnotationDefault() {
-      return next.visitAnnotationDefault();
-    }
-
-    @Override
-    public void visitParameter(String name, int access) {
-      next.visitParameter(name, access);
-    }
-
-    @Override
-    public void visitEnd() {
-      if (body) {
-        next.visitCode();
-        next.visitTypeInsn(Opcodes.NEW, THROWN);
-        next.visitInsn(Opcodes.DUP);
-        next.visitLdcInsn("Stub!");
-        String constructor = "(Ljava/lang/String;)V";
-        next.visitMethodInsn(Opcodes.INVOKESPECIAL, THROWN, "<init>", constructor, false);
-        next.visitInsn(Opcodes.ATHROW);
-        next.visitMaxs(3, Type.getArgumentsAndReturnSizes(type) >> 2);
-      }
-      next.visitEnd();
+      return new StubMethod(next, name, type, body);
     }
   }
 }
