@@ -7,6 +7,7 @@ import java.util.concurrent.ExecutionException;
 import java.util.concurrent.ExecutorService;
 import java.util.concurrent.Executors;
 import java.util.concurrent.Future;
+import java.util.concurrent.ThreadFactory;
 import java.util.concurrent.atomic.AtomicInteger;
 import java.util.function.BooleanSupplier;
 
@@ -29,10 +30,10 @@ final class Crew<W> implements AutoCloseable {
   private final ExecutorService pool;
 
   /** Starts a thread for every worker. */
-  Crew(List<W> workers, BooleanSupplier cancelled) {
+  Crew(List<W> workers, BooleanSupplier cancelled, ThreadFactory threads) {
     this.workers = workers;
     this.cancelled = cancelled;
-    pool = Executors.newFixedThreadPool(workers.size(), Crew::thread);
+    pool = Executors.newFixedThreadPool(workers.size(), threads);
   }
 
   List<W> workers() {
@@ -75,11 +76,5 @@ final class Crew<W> implements AutoCloseable {
   @Override
   public void close() {
     pool.shutdownNow();
-  }
-
-  private static Thread thread(Runnable work) {
-    Thread thread = new Thread(work, "glint-render");
-    thread.setDaemon(true);
-    return thread;
   }
 }

@@ -6,6 +6,7 @@ import java.util.Collections;
 import java.util.EnumMap;
 import java.util.Map;
 import java.util.concurrent.CancellationException;
+import java.util.concurrent.ThreadFactory;
 
 /**
  * Renders one image on a fixed number of threads.
@@ -38,11 +39,26 @@ public final class Renderer {
   }
 
   /**
-   * Renders the image; call it once.
+   * Renders the image; call it once, or another {@code render}.
    *
    * @throws CancellationException if {@link #cancel} was called, or the thread was interrupted
    */
   public RenderResult render(Progress progress) {
+    return render(progress, Renderer::thread);
+  }
+
+  private static Thread thread(Runnable work) {
+    Thread thread = new Thread(work, "glint-render");
+    thread.setDaemon(true);
+    return thread;
+  }
+
+  /**
+   * Renders the image on threads that a platform makes as it needs them: of a priority, say.
+   *
+   * @throws CancellationException if {@link #cancel} was called, or the thread was interrupted
+   */
+  public RenderResult render(Progress progress, ThreadFactory threads) {
     long began = System.nanoTime();
     Method method =
         settings.goal() instanceof Goal.Error goal
@@ -50,7 +66,7 @@ public final class Renderer {
             : new UniformRender(scene, settings, image, aovs);
     Traced traced;
     try {
-      traced = method.run(progress, gate::closed);
+      traced = method.run(progress, gate::closed, threads);
     } catch (InterruptedException e) {
       cancel();
       Thread.currentThread().interrupt();

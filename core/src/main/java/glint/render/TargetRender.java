@@ -6,6 +6,7 @@ import glint.trace.RayCounts;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
+import java.util.concurrent.ThreadFactory;
 import java.util.function.BooleanSupplier;
 
 /** Renders to an error or a time: sets up what the rounds need, and gathers what they have done. */
@@ -39,7 +40,8 @@ final class TargetRender implements Method {
   }
 
   @Override
-  public Traced run(Progress progress, BooleanSupplier cancelled) throws InterruptedException {
+  public Traced run(Progress progress, BooleanSupplier cancelled, ThreadFactory threads)
+      throws InterruptedException {
     long deadline = deadline();
     LevelScale scale = new LevelScale(scene.scene().transfer());
     RenderSettings cutting = settings.following(Cutoff.find(scene, settings, goal.levels(), scale));
@@ -48,7 +50,7 @@ final class TargetRender implements Method {
       Probe probe = new Probe(scene, cutting, watch);
       refiners.add(new Refiner(film, corners, sides, scale, probe));
     }
-    try (Crew<Refiner> crew = new Crew<>(refiners, cancelled)) {
+    try (Crew<Refiner> crew = new Crew<>(refiners, cancelled, threads)) {
       SmallThings small = new SmallThings(scene, refiners.get(0).probe.view(), corners);
       Progress filling = aovs.isEmpty() ? progress : new Filling(progress);
       rounds = new Rounds(small, settings, film, corners, sides, scale, crew, filling);

@@ -6,6 +6,7 @@ import glint.trace.RayCounts;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
+import java.util.concurrent.ThreadFactory;
 import java.util.function.BooleanSupplier;
 
 /** Takes the same number of samples of every pixel, tile by tile. */
@@ -24,7 +25,8 @@ final class UniformRender implements Method {
   }
 
   @Override
-  public Traced run(Progress progress, BooleanSupplier cancelled) throws InterruptedException {
+  public Traced run(Progress progress, BooleanSupplier cancelled, ThreadFactory threads)
+      throws InterruptedException {
     Tiles tiles = new Tiles(settings);
     double[] cut = new double[settings.width() * settings.height()];
     Settling settling =
@@ -36,7 +38,7 @@ final class UniformRender implements Method {
           new Worker(scene, settings, image, cut, settling, new Looker(scene, aovs), cancelled));
     }
     TileCount done = new TileCount(progress, tiles.count());
-    try (Crew<Worker> crew = new Crew<>(workers, cancelled)) {
+    try (Crew<Worker> crew = new Crew<>(workers, cancelled, threads)) {
       crew.run(
           tiles.count(),
           (worker, i) -> {
