@@ -1,0 +1,34 @@
+package glint.android;
+
+import android.os.SystemClock;
+
+/** A watch that can be stopped; thread-safe. */
+final class Clock {
+
+  private long began;
+  private long before;
+  private boolean running;
+
+  /** Lets it run. */
+  synchronized void go() {
+    if (!running) {
+      began = SystemClock.elapsedRealtimeNanos();
+      running = true;
+    }
+  }
+
+  /** Stops it. */
+  synchronized void stop() {
+    before = nanos();
+    running = false;
+  }
+
+  /** Returns the time that it has run, in seconds. */
+  synchronized double seconds() {
+    return nanos() * 1e-9;
+  }
+
+  private long nanos() {
+    return before + (running ? SystemClock.elapsedRealtimeNanos() - began : 0);
+  }
+}

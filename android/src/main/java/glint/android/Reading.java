@@ -1,0 +1,20 @@
+package glint.android;
+
+import glint.scene.Scene;
+import java.util.List;
+
+/**
+ * What was read from a file; immutable.
+ *
+ * @param name what the file is called
+ * @param scenes those without a problem
+ * @param problems what is wrong, a line each
+ */
+record Reading(String name, List<Scene> scenes, List<String> problems) {
+
+  /** Copies the lists. */
+  Reading {
+    scenes = List.copyOf(scenes);
+    problems = List.copyOf(problems);
+  }
+}
