@@ -1,6 +1,6 @@
 package glint.render;
 
-/** Hears how far a render has come; called by the workers, one at a time. */
+/** Hears how far a render has come; called by the workers, one at a time but for {@link #begun}. */
 public interface Progress {
 
   /** Ignores everything. */
@@ -23,4 +23,15 @@ public interface Progress {
    * @param rays rays traced so far, of all kinds
    */
   default void pictureImproved(double error, long rays) {}
+
+  /**
+   * The thread that tells begins to work on a part of the image, and has done with the part before;
+   * threads do not wait for each other.
+   *
+   * @param x the first column
+   * @param y the first row
+   * @param endX the column behind the last
+   * @param endY the row behind the last
+   */
+  default void begun(int x, int y, int endX, int endY) {}
 }

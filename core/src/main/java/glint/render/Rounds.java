@@ -26,9 +26,6 @@ final class Rounds {
   /** By how much a round brings the error down at most where the time is limited. */
   private static final double SHORT_ROUND = 0.7;
 
-  /** The first picture has a ray for every block of so many pixels, across and down. */
-  private static final int COARSE = 8;
-
   /** Sides that a thread works on in one go. */
   private static final int BATCH = 64;
 
@@ -62,10 +59,10 @@ final class Rounds {
     this.crew = crew;
     model = new ErrorModel(film);
     allocation = new Allocation(film, model);
-    sampling = new Sampling(film, model, crew);
-    audit = new Audit(film, model, scale, sampling, settings.seed());
     tiles = new Tiles(settings);
-    done = new TileCount(progress, tiles.count());
+    done = new TileCount(progress, tiles);
+    sampling = new Sampling(film, model, crew, done);
+    audit = new Audit(film, model, scale, sampling, settings.seed());
   }
 
   /**
@@ -114,22 +111,7 @@ final class Rounds {
   }
 
   private void begin() throws InterruptedException {
-    int across = (film.width - 1) / COARSE + 1;
-    int down = (film.height - 1) / COARSE + 1;
-    crew.run(
-        down,
-        (refiner, row) -> {
-          for (int column = 0; column < across; column++) {
-            traceCoarse(refiner, COARSE * column, COARSE * row);
-          }
-        });
-    done.whole(crew.workers(), Double.POSITIVE_INFINITY);
-    crew.run(
-        tiles.count(),
-        (refiner, i) -> {
-          traceCorners(refiner, i);
-          done.add(refiner.probe);
-        });
+    new CornerPass(film, corners, scale, tiles, done).run(crew);
     crew.run(tiles.count(), (refiner, i) -> tiles.forEach(i, refiner::classify));
     aim();
     do {
@@ -157,34 +139,15 @@ final class Rounds {
     }
   }
 
-  private void traceCorners(Refiner refiner, int tile) {
-    int x1 = tiles.endX(tile);
-    int y1 = tiles.endY(tile);
-    x1 += x1 == film.width ? 1 : 0;
-    y1 += y1 == film.height ? 1 : 0;
-    for (int y = tiles.beginY(tile); y < y1; y++) {
-      for (int x = tiles.beginX(tile); x < x1; x++) {
-        if (x % COARSE != 0 || y % COARSE != 0 || x == film.width || y == film.height) {
-          corners.trace(refiner.probe, scale, x, y);
-        }
-        corners.show(x, y, x + 1, y + 1, film.image);
-      }
-    }
-  }
-
-  /** Traces a corner ahead of the others, and shows it in all of its block. */
-  private void traceCoarse(Refiner refiner, int x, int y) {
-    corners.trace(refiner.probe, scale, x, y);
-    corners.show(x, y, x + COARSE, y + COARSE, film.image);
-  }
-
   /** Looks into the middle of pixels at edges; returns whether that has found anything. */
   private boolean check() throws InterruptedException {
     boolean[] surprising = new boolean[film.kind.length];
     crew.run(
         tiles.count(),
-        (refiner, i) ->
-            tiles.forEach(i, (x, y) -> surprising[y * film.width + x] = refiner.surprises(x, y)));
+        (refiner, i) -> {
+          done.begin(i);
+          tiles.forEach(i, (x, y) -> surprising[y * film.width + x] = refiner.surprises(x, y));
+        });
     boolean any = false;
     for (int pixel = 0; pixel < surprising.length; pixel++) {
       if (surprising[pixel]) {

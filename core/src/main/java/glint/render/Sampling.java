@@ -11,13 +11,15 @@ final class Sampling {
   private final Film film;
   private final ErrorModel model;
   private final Crew<Refiner> crew;
+  private final TileCount done;
   private int[] chosen = new int[1024];
   private int count;
 
-  Sampling(Film film, ErrorModel model, Crew<Refiner> crew) {
+  Sampling(Film film, ErrorModel model, Crew<Refiner> crew, TileCount done) {
     this.film = film;
     this.model = model;
     this.crew = crew;
+    this.done = done;
   }
 
   /** Chooses a pixel for the next run. */
@@ -44,7 +46,9 @@ final class Sampling {
     crew.run(
         (count + BATCH - 1) / BATCH,
         (refiner, batch) -> {
-          for (int i = BATCH * batch; i < Math.min(count, BATCH * (batch + 1)); i++) {
+          int end = Math.min(count, BATCH * (batch + 1));
+          done.begin(chosen[BATCH * batch], chosen[end - 1]);
+          for (int i = BATCH * batch; i < end; i++) {
             int first = film.focus.containsKey(chosen[i]) ? Refiner.FIRST + 1 : least;
             int level = Math.max(first, film.level[chosen[i]] + 1);
             moved[i] = refiner.sample(chosen[i] % film.width, chosen[i] / film.width, level);

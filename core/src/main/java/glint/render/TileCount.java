@@ -2,24 +2,37 @@ package glint.render;
 
 import java.util.List;
 
-/** Tells a listener of finished tiles and rounds, one at a time. */
+/** Tells a listener of what is begun and, one at a time, of finished tiles and rounds. */
 final class TileCount {
 
   private final Progress progress;
-  private final int total;
+  private final Tiles tiles;
   private int done;
   private long rays;
 
-  TileCount(Progress progress, int total) {
+  TileCount(Progress progress, Tiles tiles) {
     this.progress = progress;
-    this.total = total;
+    this.tiles = tiles;
+  }
+
+  /** This thread begins with a tile. */
+  void begin(int tile) {
+    progress.begun(tiles.beginX(tile), tiles.beginY(tile), tiles.endX(tile), tiles.endY(tile));
+  }
+
+  /** This thread begins with pixels from a first one to a last one, row by row. */
+  void begin(int first, int last) {
+    int width = tiles.width();
+    boolean one = first / width == last / width;
+    int x = one ? first % width : 0;
+    progress.begun(x, first / width, one ? last % width + 1 : width, last / width + 1);
   }
 
   /** A tile is finished, by the thread that owns a probe. */
   synchronized void add(Probe probe) {
     done++;
     rays += probe.newRays();
-    progress.tileDone(done, total, rays);
+    progress.tileDone(done, tiles.count(), rays);
   }
 
   /** The image is whole, by the work of all threads; each has a refiner of its own. */

@@ -24,6 +24,10 @@ final class Tiles {
     count = Math.multiplyExact(columns, (height - 1) / edge + 1);
   }
 
+  int width() {
+    return width;
+  }
+
   int count() {
     return count;
   }

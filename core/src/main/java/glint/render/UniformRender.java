@@ -37,11 +37,12 @@ final class UniformRender implements Method {
       workers.add(
           new Worker(scene, settings, image, cut, settling, new Looker(scene, aovs), cancelled));
     }
-    TileCount done = new TileCount(progress, tiles.count());
+    TileCount done = new TileCount(progress, tiles);
     try (Crew<Worker> crew = new Crew<>(workers, cancelled, threads)) {
       crew.run(
           tiles.count(),
           (worker, i) -> {
+            done.begin(i);
             tiles.forEach(i, worker::pixel);
             done.add(worker.probe());
           });

@@ -13,6 +13,7 @@ import glint.optics.Material;
 import glint.optics.Medium;
 import glint.optics.Texel;
 import glint.optics.Texture;
+import java.util.List;
 
 /**
  * A scene in the form that rays touch, and the plan of what it needs; immutable, for all workers.
@@ -88,12 +89,21 @@ public final class Prepared {
    * at the eye is found again.
    */
   public Prepared seenIn(Scene picture) {
-    boolean same = picture.placements() == scene.placements() && picture.lights() == scene.lights();
+    boolean same = same(picture.placements(), scene.placements());
+    same &= same(picture.lights(), scene.lights());
     same &= picture.background().equals(scene.background());
     if (!same || picture.highlight() != scene.highlight()) {
       throw new IllegalArgumentException("another world");
     }
     return new Prepared(picture, plan, lights, surfaces, primitives, tree);
+  }
+
+  private static boolean same(List<?> a, List<?> b) {
+    boolean same = a.size() == b.size();
+    for (int i = 0; same && i < a.size(); i++) {
+      same = a.get(i) == b.get(i);
+    }
+    return same;
   }
 
   private static Primitives flatten(Scene scene, Decision instances) {

@@ -10,6 +10,7 @@ import glint.scene.Prepared;
 import glint.scene.Scene;
 import java.util.ArrayList;
 import java.util.Arrays;
+import java.util.Collections;
 import java.util.List;
 import java.util.OptionalInt;
 import java.util.Set;
@@ -139,13 +140,47 @@ class PicturesOnTheWayTest {
     assertEquals(CancellationException.class, failure.getCause().getClass());
   }
 
-  private static Renderer renderer(int width, int height) {
-    return new Renderer(Prepared.of(SCENE), settings(width, height));
+  /** A render of samples begins every tile once; one to an error tells of single pixels, too. */
+  @Test
+  void everyPartOfTheImageIsToldOfWhenItIsBegun() {
+    RenderSettings toError = settings(75, 41);
+    for (RenderSettings settings : List.of(toError, toError.sampled(2, 0))) {
+      List<int[]> parts = Collections.synchronizedList(new ArrayList<>());
+      new Renderer(Prepared.of(SCENE), settings)
+          .render(
+              new Heard() {
+                @Override
+                public void begun(int x, int y, int endX, int endY) {
+                  parts.add(new int[] {x, y, endX, endY});
+                }
+              });
+      int[] begun = new int[75 * 41];
+      int narrow = 0;
+      for (int[] part : parts) {
+        assertTrue(part[0] >= 0 && part[0] < part[2] && part[2] <= 75);
+        assertTrue(part[1] >= 0 && part[1] < part[3] && part[3] <= 41);
+        narrow += part[3] - part[1] < 9 ? 1 : 0;
+        for (int y = part[1]; y < part[3]; y++) {
+          for (int x = part[0]; x < part[2]; x++) {
+            begun[75 * y + x]++;
+          }
+        }
+      }
+      boolean uniform = settings.goal() instanceof Goal.Samples;
+      for (int count : begun) {
+        assertTrue(uniform ? count == 1 : count >= 2, "begun " + count + " times");
+      }
+      assertEquals(uniform, narrow == 0);
+    }
   }
 
   private static RenderSettings settings(int width, int height) {
     Goal goal = new Goal.Error(1);
     return new RenderSettings(width, height, goal, 0, OptionalInt.empty(), 2, 16, Set.of());
+  }
+
+  private static Renderer renderer(int width, int height) {
+    return new Renderer(Prepared.of(SCENE), settings(width, height));
   }
 
   /** Hears nothing of tiles. */

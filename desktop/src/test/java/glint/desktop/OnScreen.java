@@ -137,6 +137,35 @@ final class OnScreen implements AutoCloseable {
     robot.waitForIdle();
   }
 
+  /** Drags from a place in a part to another, in some steps. */
+  void drag(Component part, Point from, Point to, int buttonMask) {
+    moveTo(part, from.x, from.y);
+    robot.mousePress(buttonMask);
+    for (int i = 1; i <= 5; i++) {
+      moveTo(part, from.x + (to.x - from.x) * i / 5, from.y + (to.y - from.y) * i / 5);
+    }
+    robot.mouseRelease(buttonMask);
+    robot.waitForIdle();
+  }
+
+  /** Does something while a key is down. */
+  void with(int key, Runnable work) {
+    robot.keyPress(key);
+    work.run();
+    robot.keyRelease(key);
+    robot.waitForIdle();
+  }
+
+  /** Clicks twice on a place in a part. */
+  void doubleClick(Component part, int x, int y) {
+    moveTo(part, x, y);
+    for (int i = 0; i < 2; i++) {
+      robot.mousePress(InputEvent.BUTTON1_DOWN_MASK);
+      robot.mouseRelease(InputEvent.BUTTON1_DOWN_MASK);
+    }
+    robot.waitForIdle();
+  }
+
   /** Hands files to a window as a drop does; returns whether it took them. */
   boolean drop(JFrame onto, List<Path> files) {
     Transferable offer =

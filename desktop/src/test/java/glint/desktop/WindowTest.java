@@ -102,7 +102,7 @@ class WindowTest {
       String value =
           String.format(Locale.ROOT, "20, 15: %.5f %.5f %.5f", rgb[i], rgb[i + 1], rgb[i + 2]);
       assertEquals(value, screen.text("pixel"));
-      screen.wheel(-3);
+      screen.with(KeyEvent.VK_CONTROL, () -> screen.wheel(-3));
       assertEquals(value, screen.text("pixel"));
       screen.moveTo(view, 2, 2);
       assertEquals(" ", screen.text("pixel"));
@@ -160,26 +160,15 @@ class WindowTest {
   private static SceneSource.Found small(SceneSource.Found found) {
     List<Picked> scenes =
         found.scenes().stream()
-            .map(p -> new Picked(p.file(), p.digest(), small(p.scene())))
+            .map(
+                p -> new Picked(p.file(), p.digest(), p.scene().seenBy(p.scene().camera(), 48, 32)))
             .toList();
     return new SceneSource.Found(scenes, found.problems(), found.parts());
   }
 
-  private static Scene small(Scene s) {
-    return new Scene(
-        s.name(),
-        s.title(),
-        48,
-        32,
-        s.camera(),
-        s.background(),
-        s.lights(),
-        s.placements(),
-        s.highlight(),
-        s.transfer(),
-        s.maxDepth(),
-        List.of(),
-        s.turntable());
+  /** Reads a file as the command does. */
+  static SceneSource.Found read(Path file) {
+    return WindowCommand.read(file, err());
   }
 
   private static PrintWriter err() {

@@ -30,6 +30,8 @@ public final class GlintWindow {
   private final JFrame frame = new JFrame("Glint");
   private final PictureView view = new PictureView(this::point);
   private final StatusBar status = new StatusBar();
+  private final WorkMarks marks = new WorkMarks();
+  private final Stage stage = new Stage(this::show);
   private final SceneList scenes = new SceneList(this::render);
   private final Notice notice = new Notice();
   private final Workers workers = new Workers();
@@ -39,9 +41,9 @@ public final class GlintWindow {
   private final CountDownLatch closed = new CountDownLatch(1);
   private JButton pause;
   private Theme theme = Theme.LIGHT;
-  private RenderRun run;
   private Image linear;
   private Point pointer;
+  private Dimension size;
   private boolean paused;
   private File folder = new File("").getAbsoluteFile();
 
@@ -73,6 +75,8 @@ public final class GlintWindow {
   }
 
   private void lay() {
+    view.add(marks);
+    new Hand(view, stage, pixel -> {}, stage::aim);
     Controls controls = new Controls(frame.getRootPane());
     addCommands(controls);
     controls.bar().add(Box.createHorizontalGlue());
@@ -96,7 +100,7 @@ public final class GlintWindow {
         new WindowAdapter() {
           @Override
           public void windowClosed(WindowEvent e) {
-            stop();
+            stage.close();
             workers.end();
             closed.countDown();
           }
@@ -115,7 +119,7 @@ public final class GlintWindow {
     controls.gap();
     controls.menu("Render");
     pause = controls.add("Pause", "SPACE", this::pauseOrGoOn);
-    controls.add("Stop", "ESCAPE", this::stop);
+    controls.add("Stop", "ESCAPE", stage::stop);
     controls.gap();
     controls.menu("View");
     controls.add("Fit", "F", view::fit);
@@ -124,6 +128,7 @@ public final class GlintWindow {
     controls.item("Smaller", "MINUS, SUBTRACT", () -> view.zoomBy(-1));
     controls.gap();
     controls.item("Light or dark", "D", this::changeTheme);
+    new CameraCommands(stage, notice).add(controls);
   }
 
   private void choose() {
@@ -151,24 +156,16 @@ public final class GlintWindow {
   }
 
   private void render(Picked picked) {
-    stop();
     frame.setTitle(picked.scene().name() + " - Glint");
-    RenderRun[] own = new RenderRun[1];
-    Latest<Snapshot> latest =
-        new Latest<>(
-            snapshot -> {
-              if (own[0] == run) {
-                show(snapshot);
-              }
-            });
-    own[0] = new RenderRun(picked.scene(), latest);
-    run = own[0];
-    run.start();
+    size = new Dimension(picked.scene().width(), picked.scene().height());
+    stage.show(picked);
   }
 
   private void show(Snapshot snapshot) {
-    snapshot.picture().ifPresent(view::show);
-    linear = snapshot.linear().orElse(linear);
+    boolean moving = snapshot.state() == Snapshot.State.MOVING;
+    marks.mark(snapshot.inWork());
+    snapshot.picture().ifPresent(picture -> view.show(picture, size));
+    linear = snapshot.linear().orElse(moving ? null : linear);
     status.show(snapshot);
     paused = snapshot.state() == Snapshot.State.PAUSED;
     pause.getAction().putValue(Action.NAME, paused ? "Continue" : "Pause");
@@ -177,15 +174,7 @@ public final class GlintWindow {
   }
 
   private void pauseOrGoOn() {
-    if (run != null) {
-      run.pause(!paused);
-    }
-  }
-
-  private void stop() {
-    if (run != null) {
-      run.stop();
-    }
+    stage.pause(!paused);
   }
 
   private void changeTheme() {

@@ -4,20 +4,22 @@ import java.awt.Dimension;
 import java.awt.Graphics;
 import java.awt.Graphics2D;
 import java.awt.Point;
+import java.awt.Rectangle;
 import java.awt.RenderingHints;
 import java.awt.event.ComponentAdapter;
 import java.awt.event.ComponentEvent;
 import java.awt.event.MouseEvent;
-import java.awt.event.MouseWheelEvent;
 import java.awt.geom.AffineTransform;
 import java.awt.image.BufferedImage;
+import java.util.ArrayList;
+import java.util.List;
 import java.util.function.Consumer;
 import javax.accessibility.AccessibleContext;
 import javax.accessibility.AccessibleRole;
 import javax.swing.JComponent;
 import javax.swing.event.MouseInputAdapter;
 
-/** Shows a picture, larger or smaller: the wheel zooms, dragging moves it. */
+/** Shows a picture, larger or smaller, and what is drawn over it. */
 final class PictureView extends JComponent {
 
   private static final long serialVersionUID = 1;
@@ -25,8 +27,16 @@ final class PictureView extends JComponent {
   /** By how much a notch of the wheel zooms. */
   private static final double NOTCH = 1.2;
 
+  /** Draws over a picture, in units of the view. */
+  interface Overlay {
+    /** Draws over a picture that is shown at a place. */
+    void paint(Graphics2D g, Zoom zoom);
+  }
+
   private final transient Consumer<Point> pointed;
+  private final transient List<Overlay> overlays = new ArrayList<>();
   private transient BufferedImage picture;
+  private transient Dimension size;
   private transient Zoom zoom;
   private boolean fitted = true;
 
@@ -39,10 +49,9 @@ final class PictureView extends JComponent {
     this.pointed = pointed;
     setName("picture");
     setPreferredSize(new Dimension(800, 600));
-    Mouse mouse = new Mouse();
-    addMouseListener(mouse);
-    addMouseMotionListener(mouse);
-    addMouseWheelListener(mouse);
+    MouseInputAdapter pointer = new Pointer();
+    addMouseListener(pointer);
+    addMouseMotionListener(pointer);
     addComponentListener(
         new ComponentAdapter() {
           @Override
@@ -54,16 +63,24 @@ final class PictureView extends JComponent {
         });
   }
 
-  /** Shows a picture; one of another size than before is fitted. */
-  void show(BufferedImage next) {
-    boolean same = picture != null && next != null;
-    same = same && picture.getWidth() == next.getWidth();
-    same = same && picture.getHeight() == next.getHeight();
+  /**
+   * Shows a picture; if the size is another than before it is fitted.
+   *
+   * @param full the columns and rows that it has, or is stretched to
+   */
+  void show(BufferedImage next, Dimension full) {
+    boolean same = full.equals(size);
     picture = next;
+    size = full;
     if (!same) {
       fit();
     }
     repaint();
+  }
+
+  /** Draws something more over the picture, last. */
+  void add(Overlay overlay) {
+    overlays.add(overlay);
   }
 
   /** Returns what is shown, or null. */
@@ -80,7 +97,7 @@ final class PictureView extends JComponent {
   void fit() {
     fitted = true;
     if (picture != null) {
-      zoom = Zoom.fit(picture.getWidth(), picture.getHeight(), getWidth(), getHeight());
+      zoom = Zoom.fit(size.width, size.height, getWidth(), getHeight());
       repaint();
     }
   }
@@ -89,8 +106,7 @@ final class PictureView extends JComponent {
   void oneToOne() {
     if (picture != null) {
       double unit = 1 / getGraphicsConfiguration().getDefaultTransform().getScaleX();
-      int width = picture.getWidth();
-      change(Zoom.centred(unit, width, picture.getHeight(), getWidth(), getHeight()));
+      change(Zoom.centred(unit, size.width, size.height, getWidth(), getHeight()));
     }
   }
 
@@ -99,10 +115,27 @@ final class PictureView extends JComponent {
     zoomBy(notches, getWidth() / 2.0, getHeight() / 2.0);
   }
 
-  private void zoomBy(double notches, double x, double y) {
+  /** Zooms about a place of the view. */
+  void zoomBy(double notches, double x, double y) {
     if (zoom != null) {
       change(zoom.about(Math.pow(NOTCH, notches), x, y));
     }
+  }
+
+  /** Moves the picture in the view. */
+  void shift(double dx, double dy) {
+    if (zoom != null) {
+      change(zoom.moved(dx, dy));
+    }
+  }
+
+  /** Returns the pixel at a place of the view, or null if none is there. */
+  Point pixel(Point at) {
+    if (zoom == null) {
+      return null;
+    }
+    Point pixel = new Point(zoom.column(at.x), zoom.row(at.y));
+    return new Rectangle(size).contains(pixel) ? pixel : null;
   }
 
   private void change(Zoom next) {
@@ -135,54 +168,31 @@ final class PictureView extends JComponent {
       return;
     }
     Graphics2D g = (Graphics2D) graphics.create();
-    double device = g.getTransform().getScaleX() * zoom.scale();
+    double stretch = (double) size.width / picture.getWidth();
+    boolean smooth = g.getTransform().getScaleX() * zoom.scale() < 1 || stretch > 1;
     g.setRenderingHint(
         RenderingHints.KEY_INTERPOLATION,
-        device < 1
+        smooth
             ? RenderingHints.VALUE_INTERPOLATION_BILINEAR
             : RenderingHints.VALUE_INTERPOLATION_NEAREST_NEIGHBOR);
     AffineTransform place = AffineTransform.getTranslateInstance(zoom.x(), zoom.y());
-    place.scale(zoom.scale(), zoom.scale());
+    place.scale(zoom.scale() * stretch, zoom.scale() * size.height / picture.getHeight());
     g.drawImage(picture, place, null);
+    for (Overlay overlay : overlays) {
+      overlay.paint(g, zoom);
+    }
     g.dispose();
   }
 
-  private final class Mouse extends MouseInputAdapter {
-    private Point last;
-
-    @Override
-    public void mousePressed(MouseEvent e) {
-      last = e.getPoint();
-    }
-
-    @Override
-    public void mouseDragged(MouseEvent e) {
-      if (zoom != null && last != null) {
-        change(zoom.moved(e.getX() - last.x, e.getY() - last.y));
-        last = e.getPoint();
-      }
-    }
-
+  private final class Pointer extends MouseInputAdapter {
     @Override
     public void mouseMoved(MouseEvent e) {
-      Point pixel = zoom == null ? null : new Point(zoom.column(e.getX()), zoom.row(e.getY()));
-      boolean inside =
-          pixel != null
-              && pixel.x >= 0
-              && pixel.y >= 0
-              && pixel.x < picture.getWidth()
-              && pixel.y < picture.getHeight();
-      pointed.accept(inside ? pixel : null);
+      pointed.accept(pixel(e.getPoint()));
     }
 
     @Override
     public void mouseExited(MouseEvent e) {
       pointed.accept(null);
-    }
-
-    @Override
-    public void mouseWheelMoved(MouseWheelEvent e) {
-      zoomBy(-e.getPreciseWheelRotation(), e.getX(), e.getY());
     }
   }
 }

@@ -10,7 +10,9 @@ import glint.render.Renderer;
 import glint.render.Statistics;
 import glint.scene.Prepared;
 import glint.scene.Scene;
+import java.awt.Rectangle;
 import java.awt.image.BufferedImage;
+import java.util.List;
 import java.util.Optional;
 import java.util.Set;
 import java.util.concurrent.CancellationException;
@@ -30,8 +32,10 @@ final class RenderRun {
   /** Pictures take at most one of so many parts of a thread's time. */
   private static final int SHARE = 5;
 
+  private final World world;
   private final Scene scene;
   private final RenderSettings settings;
+  private final Marks marks;
   private final Consumer<Snapshot> listener;
   private final Clock clock = new Clock();
   private final Object change = new Object();
@@ -48,13 +52,17 @@ final class RenderRun {
   /**
    * Sets up a render; nothing runs yet.
    *
+   * @param scene a picture of the world
+   * @param before what is shown of it already, of any size
    * @param listener hears of every change, on the thread that makes the pictures
    */
-  RenderRun(Scene scene, Consumer<Snapshot> listener) {
+  RenderRun(World world, Scene scene, Optional<BufferedImage> before, Consumer<Snapshot> listener) {
+    this.world = world;
     this.scene = scene;
     this.listener = listener;
     RenderSettings plain = RenderSettings.of(scene);
     settings = plain.aiming(plain.goal(), plain.seed(), Set.of(Aov.ERROR, Aov.SAMPLES));
+    marks = new Marks(before);
   }
 
   /** Begins. */
@@ -88,7 +96,7 @@ final class RenderRun {
 
   private void render() {
     try {
-      prepared = Prepared.of(scene);
+      prepared = world.seenIn(scene);
       Renderer next = new Renderer(prepared, settings);
       if (begin(next)) {
         Statistics all = next.render(new Listener()).statistics();
@@ -148,7 +156,15 @@ final class RenderRun {
     }
 
     @Override
+    public void begun(int x, int y, int endX, int endY) {
+      marks.begin(new Rectangle(x, y, endX - x, endY - y));
+    }
+
+    @Override
     public void pictureImproved(double claimed, long traced) {
+      if (claimed < Double.POSITIVE_INFINITY) {
+        marks.whole();
+      }
       synchronized (change) {
         rays = traced;
         error = claimed;
@@ -211,6 +227,7 @@ final class RenderRun {
         clock.seconds(),
         claimed,
         Optional.ofNullable(findings),
+        told.isOver() ? List.of() : marks.inWork(),
         reason);
   }
 
@@ -221,11 +238,7 @@ final class RenderRun {
   }
 
   private BufferedImage picture(Image image) {
-    int width = image.width();
-    BufferedImage picture = new BufferedImage(width, image.height(), BufferedImage.TYPE_INT_RGB);
-    int[] codes = image.toArgb(scene.transfer());
-    picture.getRaster().setDataElements(0, 0, width, image.height(), codes);
-    return picture;
+    return marks.cover(Pictures.of(image, scene.transfer()));
   }
 
   private static Thread thread(String name, Runnable work) {

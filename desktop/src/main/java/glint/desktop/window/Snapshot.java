@@ -1,19 +1,23 @@
 package glint.desktop.window;
 
 import glint.image.Image;
+import java.awt.Rectangle;
 import java.awt.image.BufferedImage;
+import java.util.List;
 import java.util.Optional;
 
 /**
  * How far a render has come; immutable but for the linear image, which grows.
  *
- * @param picture what there is to show; absent before the first rays
- * @param linear the same in linear light; absent like the picture
+ * @param picture what there is to show, to be stretched to the size of the image; absent before the
+ *     first rays
+ * @param linear the same in linear light; absent like the picture, and while the camera moves
  * @param done the part of the work that is done, 0 to 1
  * @param rays rays traced so far
- * @param seconds time since the render was chosen, pauses left out
+ * @param seconds time since the render was chosen, pauses left out, or of this picture alone
  * @param error what is claimed for the picture, in levels; infinite while unknown
  * @param findings what else is known; absent while preparing
+ * @param inWork the parts of the image that are worked on
  * @param message what went wrong; empty if nothing did
  */
 record Snapshot(
@@ -25,10 +29,30 @@ record Snapshot(
     double seconds,
     double error,
     Optional<Findings> findings,
+    List<Rectangle> inWork,
     String message) {
+
+  /** Returns a picture on the way of the camera. */
+  static Snapshot moving(Motion.Frame frame) {
+    Optional<BufferedImage> picture = Optional.of(frame.picture());
+    double unknown = Double.POSITIVE_INFINITY;
+    return new Snapshot(
+        State.MOVING,
+        picture,
+        Optional.empty(),
+        0,
+        0,
+        frame.seconds(),
+        unknown,
+        Optional.empty(),
+        List.of(),
+        "");
+  }
 
   /** Where a render stands. */
   enum State {
+    /** The camera moves: its pictures are of few pixels, and each is the last of its kind. */
+    MOVING("moving"),
     PREPARING("preparing"),
     RENDERING("rendering"),
     PAUSED("paused"),

@@ -36,6 +36,10 @@ final class StatusBar extends JPanel {
   void show(Snapshot s) {
     bar.setValue((int) (PARTS * s.done()));
     bar.setIndeterminate(s.state() == Snapshot.State.PREPARING);
+    if (s.state() == Snapshot.State.MOVING) {
+      status.setText(String.format(Locale.ROOT, "moving, %.0f ms a picture", 1e3 * s.seconds()));
+      return;
+    }
     StringBuilder words = new StringBuilder(s.state().words);
     if (!s.message().isEmpty()) {
       words.append(": ").append(s.message());

@@ -1,5 +1,8 @@
 package glint.desktop.window;
 
+import java.awt.Rectangle;
+import java.awt.geom.Rectangle2D;
+
 /**
  * Where in a view a picture is shown, and how large; immutable.
  *
@@ -38,13 +41,29 @@ record Zoom(double scale, double x, double y) {
     return new Zoom(scale, x + dx, y + dy);
   }
 
+  /** Returns how many columns from the picture's left edge a place in the view is. */
+  double across(double viewX) {
+    return (viewX - x) / scale;
+  }
+
+  /** Returns how many rows from the picture's upper edge a place in the view is. */
+  double down(double viewY) {
+    return (viewY - y) / scale;
+  }
+
   /** Returns the column at a place in the view; it may be outside of the picture. */
   int column(double viewX) {
-    return (int) Math.floor((viewX - x) / scale);
+    return (int) Math.floor(across(viewX));
   }
 
   /** Returns the row at a place in the view; it may be outside of the picture. */
   int row(double viewY) {
-    return (int) Math.floor((viewY - y) / scale);
+    return (int) Math.floor(down(viewY));
+  }
+
+  /** Returns where in the view a part of the picture is. */
+  Rectangle2D of(Rectangle part) {
+    return new Rectangle2D.Double(
+        x + scale * part.x, y + scale * part.y, scale * part.width, scale * part.height);
   }
 }

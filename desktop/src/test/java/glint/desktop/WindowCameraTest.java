@@ -1,0 +1,143 @@
+package glint.desktop;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+
+import glint.io.CameraText;
+import glint.render.RenderSettings;
+import glint.render.Replay;
+import glint.scene.Camera;
+import glint.scene.Handheld;
+import glint.scene.Prepared;
+import glint.scene.Scene;
+import java.awt.Component;
+import java.awt.Point;
+import java.awt.Toolkit;
+import java.awt.datatransfer.DataFlavor;
+import java.awt.event.InputEvent;
+import java.awt.event.KeyEvent;
+import java.nio.file.Path;
+import java.util.Arrays;
+import java.util.List;
+import javax.swing.JComponent;
+import org.junit.jupiter.api.Tag;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+
+/** Moves the camera in a real window, where every pixel of the image is one of the screen. */
+@Tag("window")
+class WindowCameraTest {
+
+  private static final int LEFT = InputEvent.BUTTON1_DOWN_MASK;
+  private static final int MIDDLE = InputEvent.BUTTON2_DOWN_MASK;
+
+  @TempDir private Path dir;
+
+  private Scene scene;
+  private OnScreen screen;
+  private Component view;
+
+  private interface Work {
+    void run() throws Exception;
+  }
+
+  private void open(Work work) throws Exception {
+    Path file = Scenes.write(dir.resolve("a.yaml"), "one");
+    scene = WindowTest.read(file).scenes().get(0).scene();
+    try (OnScreen opened = new OnScreen(List.of(file), WindowTest::read)) {
+      screen = opened;
+      view = screen.part("picture", JComponent.class);
+      screen.awaitStatus("done");
+      screen.key(KeyEvent.VK_1);
+      work.run();
+    }
+  }
+
+  /** Returns where in the view a place in the image is. */
+  private Point at(int column, int row) {
+    int left = (int) Math.rint((view.getWidth() - scene.width()) / 2.0);
+    int top = (int) Math.rint((view.getHeight() - scene.height()) / 2.0);
+    return new Point(left + column, top + row);
+  }
+
+  private Handheld held(Camera camera) {
+    return new Handheld(camera, scene.width(), scene.height());
+  }
+
+  /** Checks that the window has a camera, and comes to show the very image that it sees. */
+  private void assertSees(Camera camera) throws Exception {
+    screen.key(KeyEvent.VK_Y);
+    Object text = Toolkit.getDefaultToolkit().getSystemClipboard().getData(DataFlavor.stringFlavor);
+    assertEquals(CameraText.of(camera), text);
+    Scene picture = scene.seenBy(camera, scene.width(), scene.height());
+    int[] expected = WindowTest.batch(picture);
+    screen.awaitShown(
+        "the image",
+        () ->
+            screen.text("status").startsWith("done")
+                && Arrays.equals(expected, screen.middle(view, scene.width(), scene.height())));
+  }
+
+  @Test
+  void draggingGoesAboutTheTargetAndAcross() throws Exception {
+    open(
+        () -> {
+          screen.drag(view, at(20, 15), at(26, 19), LEFT);
+          Camera camera = held(scene.camera()).orbited(20, 15, 26, 19);
+          assertSees(camera);
+          screen.with(KeyEvent.VK_SHIFT, () -> screen.drag(view, at(3, 4), at(8, 2), LEFT));
+          camera = held(camera).panned(5, -2);
+          assertSees(camera);
+          screen.drag(view, at(3, 4), at(13, 2), MIDDLE);
+          camera = held(camera).panned(10, -2);
+          assertSees(camera);
+          screen.key(KeyEvent.VK_R);
+          assertSees(scene.camera());
+        });
+  }
+
+  @Test
+  void theWheelGoesNearerAndRolls() throws Exception {
+    open(
+        () -> {
+          screen.moveTo(view, 100, 100);
+          screen.wheel(2);
+          Camera camera = held(held(scene.camera()).dollied(1.1)).dollied(1.1);
+          assertSees(camera);
+          screen.with(KeyEvent.VK_SHIFT, () -> screen.wheel(-1));
+          assertSees(held(camera).rolled(-5));
+        });
+  }
+
+  @Test
+  void withTheControlKeyTheMouseMovesThePictureAlone() throws Exception {
+    open(
+        () -> {
+          int[] before = screen.middle(view, scene.width(), scene.height());
+          Point there = at(80, 60);
+          screen.with(KeyEvent.VK_CONTROL, () -> screen.drag(view, at(20, 15), there, LEFT));
+          screen.moveTo(view, there.x, there.y);
+          assertEquals("20, 15:", screen.text("pixel").substring(0, 7));
+          screen.key(KeyEvent.VK_1);
+          assertEquals(
+              Arrays.hashCode(before),
+              Arrays.hashCode(screen.middle(view, scene.width(), scene.height())));
+          assertSees(scene.camera());
+        });
+  }
+
+  @Test
+  void aDoubleClickSetsTheTargetAndKeysGoAboutIt() throws Exception {
+    open(
+        () -> {
+          screen.doubleClick(view, at(28, 22).x, at(28, 22).y);
+          RenderSettings one = RenderSettings.of(scene).sampled(1, 0);
+          Replay.Sample sample = new Replay(Prepared.of(scene), one, 28, 22).sample(0);
+          Camera camera = held(scene.camera()).aimed(sample.tree().met().get().point());
+          screen.await("the target", () -> screen.text("status").startsWith("moving"));
+          assertSees(camera);
+          screen.key(KeyEvent.VK_I);
+          double way = 15 * StrictMath.sin(StrictMath.toRadians(5));
+          assertSees(held(camera).orbited(20, 15, 20, 15 + way));
+        });
+  }
+}
