@@ -52,7 +52,7 @@ final class WindowCommand implements Callable<Integer> {
   }
 
   private static Desk desk(PrintWriter err) {
-    return new Desk(file -> read(file, err), System.getenv());
+    return new Desk(file -> read(file, err), new WindowImages(), System.getenv());
   }
 
   /** Reads a file for the window. */

@@ -15,9 +15,11 @@ import java.awt.GraphicsEnvironment;
 import java.awt.Point;
 import java.awt.Rectangle;
 import java.awt.Robot;
+import java.awt.Window;
 import java.awt.datatransfer.DataFlavor;
 import java.awt.datatransfer.Transferable;
 import java.awt.event.InputEvent;
+import java.awt.event.KeyEvent;
 import java.awt.image.BufferedImage;
 import java.lang.reflect.InvocationTargetException;
 import java.nio.file.Path;
@@ -27,6 +29,8 @@ import java.util.Map;
 import java.util.concurrent.Callable;
 import java.util.concurrent.FutureTask;
 import java.util.function.BooleanSupplier;
+import javax.swing.JDialog;
+import javax.swing.JFileChooser;
 import javax.swing.JFrame;
 import javax.swing.JLabel;
 import javax.swing.JList;
@@ -52,7 +56,7 @@ final class OnScreen implements AutoCloseable {
   OnScreen(List<Path> files, SceneSource source, Map<String, String> environment)
       throws InterruptedException, AWTException {
     assumeFalse(GraphicsEnvironment.isHeadless(), "no display: see tools/xvfb.sh");
-    window = GlintWindow.open(files, new Desk(source, environment));
+    window = GlintWindow.open(files, new Desk(source, new WindowImages(), environment));
     frame =
         (JFrame)
             Arrays.stream(Frame.getFrames()).filter(Frame::isDisplayable).findFirst().orElseThrow();
@@ -120,6 +124,47 @@ final class OnScreen implements AutoCloseable {
     robot.keyPress(code);
     robot.keyRelease(code);
     robot.waitForIdle();
+  }
+
+  /** Presses a key while the one is held that goes with commands. */
+  void command(int code) {
+    int control = KeyEvent.VK_CONTROL;
+    robot.keyPress(control);
+    key(code);
+    robot.keyRelease(control);
+    robot.waitForIdle();
+  }
+
+  /** Waits for a dialog that asks for a file, and answers it. */
+  void choose(Path file) throws InterruptedException {
+    JFileChooser[] found = new JFileChooser[1];
+    await(
+        "a dialog",
+        () ->
+            Arrays.stream(Window.getWindows())
+                .filter(each -> each.isShowing() && each instanceof JDialog)
+                .map(each -> ((JDialog) each).getContentPane().getComponent(0))
+                .filter(JFileChooser.class::isInstance)
+                .anyMatch(each -> (found[0] = (JFileChooser) each) != null));
+    on(
+        () -> {
+          found[0].setSelectedFile(file.toFile());
+          found[0].approveSelection();
+          return null;
+        });
+    focus();
+  }
+
+  /** Gives the keyboard back to the window after a dialog, as a window manager would. */
+  private void focus() throws InterruptedException {
+    await(
+        "no dialog",
+        () ->
+            Arrays.stream(Window.getWindows())
+                .filter(JDialog.class::isInstance)
+                .noneMatch(Window::isShowing));
+    click(part("status", JLabel.class));
+    await("the focus", frame::isFocused);
   }
 
   /** Moves the pointer to a place in a part. */

@@ -152,7 +152,7 @@ class WindowTest {
     return image(scene).toArgb(scene.transfer());
   }
 
-  private static Image image(Scene scene) {
+  static Image image(Scene scene) {
     Renderer renderer = new Renderer(Prepared.of(scene), RenderSettings.of(scene));
     return renderer.render(Progress.NONE).image();
   }

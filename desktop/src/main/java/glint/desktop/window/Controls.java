@@ -1,16 +1,21 @@
 package glint.desktop.window;
 
+import java.awt.Insets;
 import java.awt.event.ActionEvent;
 import java.util.ArrayList;
 import java.util.List;
 import javax.swing.AbstractAction;
+import javax.swing.AbstractButton;
 import javax.swing.Action;
+import javax.swing.ButtonGroup;
 import javax.swing.JButton;
 import javax.swing.JComponent;
 import javax.swing.JMenu;
 import javax.swing.JMenuBar;
 import javax.swing.JMenuItem;
+import javax.swing.JRadioButtonMenuItem;
 import javax.swing.JRootPane;
+import javax.swing.JToggleButton;
 import javax.swing.JToolBar;
 import javax.swing.KeyStroke;
 
@@ -38,43 +43,32 @@ final class Controls {
     root.setJMenuBar(menus);
   }
 
-  /** Begins a menu, to which all that follows belongs. */
-  void menu(String name) {
+  /** Begins a menu, to which all that follows belongs, and returns it. */
+  JMenu menu(String name) {
     menu = new JMenu(name);
     menu.setMnemonic(name.charAt(0));
     menus.add(menu);
+    return menu;
   }
 
   /** Adds a menu item and a button and returns that; its name is the text. */
   JButton add(String text, String keys, Runnable work) {
-    Action action = item(text, keys, work);
-    JButton button = bar.add(action);
-    button.setName(text);
-    button.setFocusable(false);
-    button.setToolTipText(text + " (" + Keys.words(Keys.of(keys).get(0)) + ")");
-    return button;
+    return button(new JButton(item(text, keys, work)), text, keys);
   }
 
   /** Adds a menu item; the first of its keys, as {@link Keys#of} has them, is shown. */
   Action item(String text, String keys, Runnable work) {
-    Action action =
-        new AbstractAction(text) {
-          private static final long serialVersionUID = 1;
-
-          @Override
-          public void actionPerformed(ActionEvent e) {
-            work.run();
-          }
-        };
-    List<KeyStroke> strokes = Keys.of(keys);
-    for (KeyStroke stroke : strokes) {
-      root.getInputMap(JComponent.WHEN_IN_FOCUSED_WINDOW).put(stroke, text);
-    }
-    root.getActionMap().put(text, action);
-    JMenuItem item = menu.add(action);
-    item.setAccelerator(strokes.get(0));
-    commands.add(new Command(menu.getText(), text, Keys.words(strokes.get(0))));
+    Action action = action(text, keys, work);
+    accelerate(menu.add(action), keys);
     return action;
+  }
+
+  /** Adds a choice, one of which holds at a time, as a menu item and a button; the first holds. */
+  void choice(ButtonGroup group, String text, String keys, Runnable work) {
+    Action action = action(text, keys, work);
+    action.putValue(Action.SELECTED_KEY, group.getButtonCount() == 0);
+    accelerate(menu.add(new JRadioButtonMenuItem(action)), keys);
+    group.add(button(new JToggleButton(action), text, keys));
   }
 
   /** Parts what was added from what follows. */
@@ -92,5 +86,40 @@ final class Controls {
 
   JToolBar bar() {
     return bar;
+  }
+
+  private Action action(String text, String keys, Runnable work) {
+    Action action =
+        new AbstractAction(text) {
+          private static final long serialVersionUID = 1;
+
+          @Override
+          public void actionPerformed(ActionEvent e) {
+            if (getValue(SELECTED_KEY) != null) {
+              putValue(SELECTED_KEY, true);
+            }
+            work.run();
+          }
+        };
+    List<KeyStroke> strokes = Keys.of(keys);
+    for (KeyStroke stroke : strokes) {
+      root.getInputMap(JComponent.WHEN_IN_FOCUSED_WINDOW).put(stroke, text);
+    }
+    root.getActionMap().put(text, action);
+    commands.add(new Command(menu.getText(), text, Keys.words(strokes.get(0))));
+    return action;
+  }
+
+  private static void accelerate(JMenuItem item, String keys) {
+    item.setAccelerator(Keys.of(keys).get(0));
+  }
+
+  private <B extends AbstractButton> B button(B button, String text, String keys) {
+    button.setName(text);
+    button.setFocusable(false);
+    button.setMargin(new Insets(4, 8, 4, 8));
+    button.setToolTipText(text + " (" + Keys.words(Keys.of(keys).get(0)) + ")");
+    bar.add(button);
+    return button;
   }
 }

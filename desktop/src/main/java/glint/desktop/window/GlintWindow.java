@@ -6,23 +6,23 @@ import java.awt.Dimension;
 import java.awt.Point;
 import java.awt.event.WindowAdapter;
 import java.awt.event.WindowEvent;
-import java.io.File;
+import java.awt.image.BufferedImage;
 import java.io.IOException;
 import java.nio.file.Path;
-import java.util.Arrays;
 import java.util.List;
+import java.util.Optional;
 import java.util.concurrent.CountDownLatch;
+import java.util.function.Consumer;
 import javax.swing.Action;
 import javax.swing.Box;
+import javax.swing.ButtonGroup;
 import javax.swing.JButton;
-import javax.swing.JFileChooser;
 import javax.swing.JFrame;
 import javax.swing.JPanel;
 import javax.swing.JScrollPane;
 import javax.swing.JSplitPane;
 import javax.swing.SwingUtilities;
 import javax.swing.WindowConstants;
-import javax.swing.filechooser.FileNameExtensionFilter;
 
 /** The window; all of it belongs to the event thread. */
 public final class GlintWindow {
@@ -36,19 +36,25 @@ public final class GlintWindow {
   private final Notice notice = new Notice();
   private final Workers workers = new Workers();
   private final Problems problems = new Problems(this::edit);
+  private final SidePanel side = new SidePanel();
+  private final Viewing viewing = new Viewing(this::show, workers);
+  private final FileDialogs dialogs = new FileDialogs(frame);
   private final OpenFiles files;
+  private final ImageWork images;
   private final Editor editor;
   private final CountDownLatch closed = new CountDownLatch(1);
   private JButton pause;
   private Theme theme = Theme.LIGHT;
+  private Picked picked;
+  private Snapshot snapshot;
   private Image linear;
   private Point pointer;
   private Dimension size;
   private boolean paused;
-  private File folder = new File("").getAbsoluteFile();
 
   private GlintWindow(Desk desk) {
     files = new OpenFiles(desk.scenes(), scenes, problems, workers);
+    images = new ImageWork(desk.images(), workers, notice);
     editor = new Editor(desk.environment());
   }
 
@@ -85,7 +91,12 @@ public final class GlintWindow {
     list.setMinimumSize(new Dimension(160, 100));
     JPanel left = new JPanel(new BorderLayout());
     left.add(list, BorderLayout.CENTER);
-    JSplitPane middle = new JSplitPane(JSplitPane.HORIZONTAL_SPLIT, left, view);
+    JPanel centre = new JPanel(new BorderLayout());
+    centre.add(view, BorderLayout.CENTER);
+    centre.add(viewing.strip(), BorderLayout.SOUTH);
+    JSplitPane right = new JSplitPane(JSplitPane.HORIZONTAL_SPLIT, centre, side);
+    right.setResizeWeight(1);
+    JSplitPane middle = new JSplitPane(JSplitPane.HORIZONTAL_SPLIT, left, right);
     middle.setDividerLocation(220);
     frame.setTransferHandler(new FileDrop(files::open));
     scenes.setTransferHandler(frame.getTransferHandler());
@@ -113,7 +124,10 @@ public final class GlintWindow {
 
   private void addCommands(Controls controls) {
     controls.menu("File");
-    controls.add("Open", "O, menu O", this::choose);
+    controls.add("Open", "O, menu O", this::open);
+    controls.add("Save image", "menu S", this::save);
+    controls.item("Copy picture", "menu C", this::copy);
+    controls.item("Compare with", "menu D", () -> compare(() -> {}));
     controls.item("Next problem", "F8", problems::openNext);
     controls.item("Close", "menu W, menu Q", frame::dispose);
     controls.gap();
@@ -127,24 +141,59 @@ public final class GlintWindow {
     controls.item("Larger", "PLUS, shift EQUALS, EQUALS, ADD", () -> view.zoomBy(1));
     controls.item("Smaller", "MINUS, SUBTRACT", () -> view.zoomBy(-1));
     controls.gap();
+    addLooks(controls);
+    controls.gap();
     controls.item("Light or dark", "D", this::changeTheme);
     new CameraCommands(stage, notice).add(controls);
   }
 
-  private void choose() {
-    JFileChooser chooser = new JFileChooser();
-    chooser.setMultiSelectionEnabled(true);
-    chooser.setCurrentDirectory(folder);
-    String[] endings = {"yaml", "yml", "txt", "nff", "obj"};
-    chooser.setFileFilter(new FileNameExtensionFilter("Scenes and models", endings));
-    if (chooser.showOpenDialog(frame) == JFileChooser.APPROVE_OPTION) {
-      files.open(Arrays.stream(chooser.getSelectedFiles()).map(File::toPath).toList());
+  private void addLooks(Controls controls) {
+    ButtonGroup looks = new ButtonGroup();
+    controls.choice(looks, "Picture", "P", () -> viewing.show(Look.PICTURE));
+    controls.choice(looks, "Error", "E", () -> viewing.show(Look.ERROR));
+    controls.choice(looks, "Samples", "N", () -> viewing.show(Look.SAMPLES));
+    controls.choice(looks, "Split", "B", () -> look(Look.SPLIT));
+    controls.choice(looks, "Difference", "X", () -> look(Look.DIFFERENCE));
+  }
+
+  private void open() {
+    files.open(dialogs.openScenes());
+  }
+
+  private void save() {
+    if (snapshot != null && snapshot.linear().isPresent()) {
+      Optional<Path> file = dialogs.saveImage(picked.scene().name());
+      file.ifPresent(to -> images.save(picked, snapshot, to));
     }
-    folder = chooser.getCurrentDirectory();
+  }
+
+  private void copy() {
+    if (view.picture() != null) {
+      images.copy(view.picture());
+    }
+  }
+
+  /** Asks for an image to compare with, and does something once it is there. */
+  private void compare(Runnable then) {
+    if (picked != null) {
+      Consumer<Comparand> receiver =
+          read -> {
+            viewing.compare(read);
+            then.run();
+          };
+      dialogs.openImage().ifPresent(file -> images.load(file, picked.scene().transfer(), receiver));
+    }
+  }
+
+  private void look(Look look) {
+    viewing.show(look);
+    if (viewing.other().isEmpty()) {
+      compare(() -> viewing.show(look));
+    }
   }
 
   private void edit(Place place) {
-    workers.run(
+    workers.disk(
         () -> {
           try {
             editor.open(place);
@@ -155,22 +204,30 @@ public final class GlintWindow {
         });
   }
 
-  private void render(Picked picked) {
+  private void render(Picked next) {
+    picked = next;
+    viewing.begin();
     frame.setTitle(picked.scene().name() + " - Glint");
     size = new Dimension(picked.scene().width(), picked.scene().height());
     stage.show(picked);
   }
 
-  private void show(Snapshot snapshot) {
+  private void show(Snapshot next) {
+    snapshot = next;
     boolean moving = snapshot.state() == Snapshot.State.MOVING;
     marks.mark(snapshot.inWork());
-    snapshot.picture().ifPresent(picture -> view.show(picture, size));
+    viewing.show(snapshot);
+    side.show(snapshot);
     linear = snapshot.linear().orElse(moving ? null : linear);
     status.show(snapshot);
     paused = snapshot.state() == Snapshot.State.PAUSED;
     pause.getAction().putValue(Action.NAME, paused ? "Continue" : "Pause");
     pause.getAction().setEnabled(!snapshot.state().isOver());
     point(pointer);
+  }
+
+  private void show(BufferedImage picture) {
+    view.show(picture, size);
   }
 
   private void pauseOrGoOn() {

@@ -28,7 +28,7 @@ final class OpenFiles {
   void open(List<Path> files) {
     boolean[] chosen = new boolean[1];
     for (Path file : files) {
-      workers.run(
+      workers.disk(
           () -> {
             SceneSource.Found found = source.read(file);
             SwingUtilities.invokeLater(
@@ -42,7 +42,7 @@ final class OpenFiles {
   }
 
   private void readAgain(Path file) {
-    workers.run(
+    workers.disk(
         () -> {
           SceneSource.Found found = source.read(file);
           SwingUtilities.invokeLater(() -> show(file, found, Optional.empty()));

@@ -126,14 +126,10 @@ final class Problems extends JScrollPane {
       return "<html><nobr><font color="
           + colour
           + ">"
-          + escaped(line.substring(0, end))
+          + Html.escaped(line.substring(0, end))
           + "</font>"
-          + escaped(line.substring(end))
+          + Html.escaped(line.substring(end))
           + "</nobr>";
-    }
-
-    private static String escaped(String text) {
-      return text.replace("&", "&amp;").replace("<", "&lt;").replace(">", "&gt;");
     }
   }
 }

@@ -8,7 +8,6 @@ import javax.swing.BorderFactory;
 import javax.swing.DefaultListCellRenderer;
 import javax.swing.JLabel;
 import javax.swing.JList;
-import javax.swing.KeyStroke;
 import javax.swing.ListSelectionModel;
 import javax.swing.text.Position;
 
@@ -29,7 +28,9 @@ final class SceneList extends JList<Picked> {
     getAccessibleContext().setAccessibleName("Scenes");
     setSelectionMode(ListSelectionModel.SINGLE_SELECTION);
     setCellRenderer(new Cell());
-    getInputMap().put(KeyStroke.getKeyStroke("SPACE"), "none"); // it pauses, anywhere in the window
+    for (String key : List.of("SPACE", "menu C")) { // they are of the whole window
+      getInputMap().put(Keys.of(key).get(0), "none");
+    }
     addListSelectionListener(
         e -> {
           if (!silent && !e.getValueIsAdjusting() && getSelectedValue() != null) {

@@ -7,7 +7,7 @@ import java.util.concurrent.ScheduledExecutorService;
 import java.util.concurrent.ThreadFactory;
 import java.util.concurrent.TimeUnit;
 
-/** The threads that do for the window what would make it wait: everything on disk. */
+/** The threads that do for the window what would make it wait. */
 final class Workers {
 
   private final ThreadFactory factory =
@@ -18,10 +18,20 @@ final class Workers {
       };
   private final ScheduledExecutorService clock =
       Executors.newSingleThreadScheduledExecutor(factory);
-  private final ExecutorService line = Executors.newSingleThreadExecutor(factory);
+  private final ExecutorService disk = Executors.newSingleThreadExecutor(factory);
+  private final ExecutorService brain = Executors.newSingleThreadExecutor(factory);
 
-  /** Does work soon, after what was asked for before; nothing when all is ended. */
-  void run(Runnable work) {
+  /** Reads or writes soon, after what was asked for before; does nothing when all is ended. */
+  void disk(Runnable work) {
+    run(disk, work);
+  }
+
+  /** Computes something soon, after what was asked for before; nothing when all is ended. */
+  void compute(Runnable work) {
+    run(brain, work);
+  }
+
+  private static void run(ExecutorService line, Runnable work) {
     try {
       line.execute(work);
     } catch (RejectedExecutionException e) {
@@ -37,6 +47,7 @@ final class Workers {
   /** Ends all threads; what is being written is finished. */
   void end() {
     clock.shutdownNow();
-    line.shutdown();
+    disk.shutdown();
+    brain.shutdownNow();
   }
 }
