@@ -1,6 +1,7 @@
 package glint.render;
 
 import java.util.Arrays;
+import java.util.function.IntConsumer;
 
 /**
  * Shares out work: chooses the pixels whose next refinement takes away most error for its rays, and
@@ -13,6 +14,9 @@ final class Allocation {
 
   private static final int BIN_SHIFT = 49;
   private static final int BINS = 1 << 63 - BIN_SHIFT;
+
+  /** What is worth so many bins less than is done now, sixteen times, is left out of account. */
+  private static final int MARGIN = 32;
 
   /** Steps foreseen for a pixel. */
   private static final int STEPS = 16;
@@ -36,9 +40,63 @@ final class Allocation {
   private double margin;
   private int threshold;
 
+  private final int[] all;
+
+  /** The pixels that may be refined, in row order. */
+  private int[] active;
+
+  /** The bin of the next step of each of them. */
+  private int[] next = {};
+
+  /** The bin that others are below. */
+  private int floor;
+
+  /** The sum of the variances of all others, and that of their squares. */
+  private double quiet;
+
+  private double quietSquares;
+
   Allocation(Film film, ErrorModel model) {
     this.film = film;
     this.model = model;
+    all = new int[film.kind.length];
+    Arrays.setAll(all, pixel -> pixel);
+    active = all;
+  }
+
+  /** Takes all pixels into account again: any may be worth more than before. */
+  void wake() {
+    active = all;
+    quiet = 0;
+    quietSquares = 0;
+  }
+
+  /**
+   * Sorts out the unsampled smooth pixels that are worth far less than what is worth doing: they
+   * stay as they are, and count as they do now.
+   */
+  private void sort() {
+    floor = Math.max(1, threshold - MARGIN);
+    int[] found = new int[active.length];
+    int count = 0;
+    for (int i = 0; i < active.length; i++) {
+      int pixel = active[i];
+      boolean plain = film.kind[pixel] == Film.SMOOTH && film.level[pixel] == 0;
+      if (plain && next[i] < floor) {
+        double variance = model.variance(pixel);
+        quiet += variance;
+        quietSquares += variance * variance;
+      } else {
+        next[count] = next[i];
+        found[count++] = pixel;
+      }
+    }
+    active = Arrays.copyOf(found, count);
+  }
+
+  /** Returns the pixels that were not sorted out. */
+  int[] active() {
+    return active;
   }
 
   /**
@@ -50,9 +108,9 @@ final class Allocation {
    * @return the sum that will hardly be exceeded, in levels²
    */
   double total() {
-    total = 0;
-    double squares = 0;
-    for (int pixel = 0; pixel < film.kind.length; pixel++) {
+    total = quiet;
+    double squares = quietSquares;
+    for (int pixel : active) {
       double variance = model.variance(pixel);
       total += variance;
       squares += variance * variance;
@@ -63,13 +121,25 @@ final class Allocation {
 
   /** Sets what is worth doing, to bring the last {@link #total} down to a goal. */
   void aim(double goal) {
+    findThreshold(goal);
+    if (threshold < floor) {
+      wake();
+      total();
+      floor = 0;
+      findThreshold(goal);
+    }
+    if (active == all) {
+      sort();
+    }
+  }
+
+  private void findThreshold(double goal) {
     Arrays.fill(gain, 0);
     double nothing = NOTHING * goal / film.kind.length;
-    for (int pixel = 0; pixel < film.kind.length; pixel++) {
-      double variance = model.variance(pixel);
-      if (variance > nothing) {
-        foresee(pixel, variance);
-      }
+    next = active.length > next.length ? new int[active.length] : next;
+    for (int i = 0; i < active.length; i++) {
+      double variance = model.variance(active[i]);
+      next[i] = foresee(active[i], variance, nothing);
     }
     double left = margin * total;
     threshold = BINS;
@@ -79,14 +149,20 @@ final class Allocation {
     }
   }
 
-  /** Gathers what the next steps gain; none counts for more than one before it. */
-  private void foresee(int pixel, double now) {
+  /**
+   * Gathers what the next steps gain, down to what is nothing; none counts for more than one before
+   * it.
+   *
+   * @return the bin of the first of them, or 0
+   */
+  private int foresee(int pixel, double now, double nothing) {
     double variance = now;
     double searched = searches(pixel) ? film.own[pixel] - film.doubt[pixel] : 0;
     double samples = film.samples(pixel);
     double doubled = model.doubled(pixel);
-    double worth = Double.POSITIVE_INFINITY;
-    for (int step = 0; step < STEPS && variance > 0; step++) {
+    int first = 0;
+    int worth = BINS;
+    for (int step = 0; step < STEPS && worth >= floor && variance > nothing; step++) {
       double less;
       double cost;
       if (searched > SEARCHED * (variance - searched)) {
@@ -102,47 +178,30 @@ final class Allocation {
         samples *= 2;
         less = variance * (1 - doubled);
       }
-      worth = Math.min(worth, less / cost);
-      gain[bin(worth)] += less;
+      worth = Math.min(worth, bin(less / cost));
+      first = step == 0 ? worth : first;
+      gain[worth] += less;
       variance -= less;
     }
+    return first;
   }
 
-  /** Returns whether a pixel is to be refined now. */
-  boolean worth(int pixel) {
-    double less = model.variance(pixel) * (1 - rest(pixel));
-    return less > 0 && bin(less / cost(pixel)) >= threshold;
+  /** Tells of every pixel that is to be refined now. */
+  void forEachWorthy(IntConsumer work) {
+    for (int i = 0; i < active.length; i++) {
+      if (next[i] >= threshold) {
+        work.accept(active[i]);
+      }
+    }
   }
 
   /** Returns whether the next step is to find out better where the edge of a split pixel is. */
   boolean searches(int pixel) {
-    return film.kind[pixel] == Film.SPLIT
-        && film.level[pixel] == 0
-        && film.own[pixel] - film.doubt[pixel] > SEARCHED * lasting(pixel);
-  }
-
-  /** Returns the part of the variance of a split pixel that searching for its edge leaves. */
-  private double lasting(int pixel) {
-    return model.hidden(pixel) + film.doubt[pixel];
-  }
-
-  private double cost(int pixel) {
-    if (film.level[pixel] > 0) {
-      return film.samples(pixel);
+    if (film.kind[pixel] != Film.SPLIT || film.level[pixel] > 0) {
+      return false;
     }
-    return searches(pixel) ? 1 : 1 << Refiner.FIRST;
-  }
-
-  private double rest(int pixel) {
-    if (film.level[pixel] > 0) {
-      return model.doubled(pixel);
-    }
-    if (!searches(pixel)) {
-      return SAMPLED;
-    }
-    double lasting = lasting(pixel);
-    double searched = film.own[pixel] - film.doubt[pixel];
-    return (HALVED * searched + lasting) / (searched + lasting);
+    double lasting = model.hidden(pixel) + film.doubt[pixel];
+    return film.own[pixel] - film.doubt[pixel] > SEARCHED * lasting;
   }
 
   private static int bin(double value) {

@@ -4,6 +4,7 @@ import glint.image.Image;
 import java.util.Arrays;
 import java.util.HashMap;
 import java.util.Map;
+import java.util.function.IntConsumer;
 
 /** What is known of every pixel while an image is refined: flat arrays in row order. */
 final class Film {
@@ -64,6 +65,9 @@ final class Film {
   /** What single samples around a pixel of random ones find: as much would here be, in levels². */
   final float[] noise;
 
+  /** Whether more is known of the edges of a pixel, or of those around, since its estimate. */
+  final boolean[] stale;
+
   /** Where the sums of a sampled pixel stand, or -1. */
   final int[] slot;
 
@@ -100,6 +104,7 @@ final class Film {
     doubt = new float[count];
     contrast = new float[count];
     noise = new float[count];
+    stale = new boolean[count];
     slot = new int[count];
     Arrays.fill(slot, -1);
   }
@@ -120,9 +125,25 @@ final class Film {
     slot[pixel] = slots++;
   }
 
+  /**
+   * Notes that more is known of an edge in a pixel: what the four beside it make of theirs, too.
+   */
+  void outdate(int x, int y) {
+    if (x < 0 || y < 0 || x >= width || y >= height) {
+      return;
+    }
+    int pixel = y * width + x;
+    stale[pixel] = true;
+    stale[x > 0 ? pixel - 1 : pixel] = true;
+    stale[x < width - 1 ? pixel + 1 : pixel] = true;
+    stale[y > 0 ? pixel - width : pixel] = true;
+    stale[y < height - 1 ? pixel + width : pixel] = true;
+  }
+
   /** Forgets the samples of a pixel. */
   void forget(int pixel) {
     level[pixel] = 0;
+    stale[pixel] = true;
     valid[slot[pixel]] = 0;
     cut[slot[pixel]] = 0;
     Arrays.fill(sums, SLOT * slot[pixel], SLOT * (slot[pixel] + 1), 0);
@@ -196,31 +217,20 @@ final class Film {
     return level[pixel] > 0 && samples(pixel) * own[pixel] > FOUND;
   }
 
-  /** Returns whether that is so of any pixel taken for smooth. */
-  boolean foundMoreInSmooth() {
-    for (int pixel = 0; pixel < kind.length; pixel++) {
-      if (kind[pixel] == SMOOTH && foundMore(pixel)) {
-        return true;
-      }
-    }
-    return false;
-  }
-
-  /** Returns whether an unsampled smooth pixel lies beside one whose samples have found more. */
-  boolean mayHideMore(int pixel) {
-    if (kind[pixel] != SMOOTH || level[pixel] > 0) {
-      return false;
-    }
+  /** Hands on the unsampled smooth pixels around one; returns whether there are any. */
+  boolean forEachUnsampledAround(int pixel, IntConsumer work) {
     int x = pixel % width;
     int y = pixel / width;
+    boolean any = false;
     for (int row = Math.max(0, y - 1); row <= Math.min(height - 1, y + 1); row++) {
       for (int column = Math.max(0, x - 1); column <= Math.min(width - 1, x + 1); column++) {
         int other = row * width + column;
-        if (kind[other] == SMOOTH && foundMore(other)) {
-          return true;
+        if (kind[other] == SMOOTH && level[other] == 0) {
+          work.accept(other);
+          any = true;
         }
       }
     }
-    return false;
+    return any;
   }
 }

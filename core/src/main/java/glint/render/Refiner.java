@@ -1,5 +1,7 @@
 package glint.render;
 
+import java.util.Arrays;
+
 /**
  * Works on pixels of a film, one at a time; one per thread.
  *
@@ -27,6 +29,7 @@ final class Refiner {
   private final double[] model = new double[3];
   private final double[] before = new double[3];
   private final double[] mean = new double[3];
+  private final double[] bends = new double[3];
 
   final Probe probe;
   final Aim aim;
@@ -104,9 +107,18 @@ final class Refiner {
     return count == 0 ? 0 : count < 3 ? 1 : count < 5 ? 2 : 3;
   }
 
-  /** Takes a pixel that was never sampled from its model, and estimates the error of that. */
+  /**
+   * Takes a pixel that was never sampled from its model, and estimates the error of that; of one
+   * whose samples are random, what is around.
+   */
   void estimate(int x, int y) {
     int pixel = y * film.width + x;
+    if (film.level[pixel] > 0) {
+      if (film.random[pixel]) {
+        listen(x, y);
+      }
+      return;
+    }
     if (film.kind[pixel] == Film.SPLIT) {
       if (split.look(x, y) && split.agrees(film.middleAsCorner[pixel])) {
         film.image.set(x, y, split.mean(0), split.mean(1), split.mean(2));
@@ -132,45 +144,51 @@ final class Refiner {
    * rule, a twelfth of the second differences.
    */
   private double curvature(int x, int y) {
-    double sum = 0;
     int a = y * corners.stride + x;
+    Arrays.fill(bends, 0);
+    bend(a, 1, x, corners.stride);
+    bend(a + corners.stride, 1, x, corners.stride);
+    bend(a, corners.stride, y, corners.rows);
+    bend(a + 1, corners.stride, y, corners.rows);
+    double sum = 0;
     for (int channel = 0; channel < 3; channel++) {
-      double bends =
-          bend(a, 1, x, corners.stride, channel)
-              + bend(a + corners.stride, 1, x, corners.stride, channel)
-              + bend(a, corners.stride, y, corners.rows, channel)
-              + bend(a + 1, corners.stride, y, corners.rows, channel);
-      sum += scale.squaredError(corners.mean(x, y, channel), bends / 24);
+      if (bends[channel] > 0) {
+        sum += scale.squaredError(corners.mean(x, y, channel), bends[channel] / 24);
+      }
     }
     return sum / 3;
   }
 
   /**
-   * Returns the second difference along a side, without its sign: the mean of those that its two
-   * neighbours give as far as they show the same signature; where none does, the difference of its
-   * ends.
+   * Adds to {@link #bends} the second difference along a side, without its sign: the mean of those
+   * that its two neighbours give as far as they show the same signature; where none does, the
+   * difference of its ends.
    *
    * <p>Where the two disagree there is a step rather than a bend, no one knows where along the
    * side: it is worth the standard deviation of a place even in a range, 1/√12, in twelfths.
    */
-  private double bend(int corner, int step, int at, int count, int channel) {
+  private void bend(int corner, int step, int at, int count) {
     double[] rgb = corners.rgb;
     long[] met = corners.signature;
-    double one = rgb[3 * corner + channel];
-    double two = rgb[3 * (corner + step) + channel];
     boolean before = at > 0 && met[corner - step] == met[corner];
     boolean after = at + 2 < count && met[corner + 2 * step] == met[corner];
-    double first = before ? rgb[3 * (corner - step) + channel] - 2 * one + two : 0;
-    double last = after ? one - 2 * two + rgb[3 * (corner + 2 * step) + channel] : 0;
-    if (before && after) {
-      return 0.5 * (Math.abs(first + last) + STEP * Math.abs(first - last));
+    for (int channel = 0; channel < 3; channel++) {
+      int i = 3 * corner + channel;
+      double one = rgb[i];
+      double two = rgb[i + 3 * step];
+      double first = before ? rgb[i - 3 * step] - 2 * one + two : 0;
+      double last = after ? one - 2 * two + rgb[i + 6 * step] : 0;
+      if (before && after) {
+        bends[channel] += 0.5 * (Math.abs(first + last) + STEP * Math.abs(first - last));
+      } else {
+        bends[channel] += before || after ? Math.abs(first + last) : Math.abs(two - one);
+      }
     }
-    return before || after ? Math.abs(first + last) : Math.abs(two - one);
   }
 
   /** Asks for the brackets of a split pixel to be divided. */
   void want(int x, int y) {
-    if (split.look(x, y)) {
+    if (split.cross(x, y)) {
       int steps = split.steps();
       int one = split.crossed(0);
       int two = split.crossed(1);

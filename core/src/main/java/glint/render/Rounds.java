@@ -77,14 +77,19 @@ final class Rounds {
     sampleBusy();
     int audits = 0;
     for (int round = 0; ; round++) {
-      sides.learn();
-      estimate(round == 0);
+      boolean learned = sides.learn();
+      if (round == 0) {
+        estimateAll();
+      } else {
+        estimate(learned);
+      }
       model.learn();
       double error = error(allocation.total());
       done.whole(crew.workers(), error);
       boolean reached = error <= levels;
       if (audits < AUDITS && (reached || (audits == 0 && round == EARLY_ROUNDS))) {
         audit.run(audits++);
+        allocation.wake();
         continue;
       }
       boolean late = deadline != Long.MAX_VALUE && System.nanoTime() - deadline > 0;
@@ -124,13 +129,11 @@ final class Rounds {
     Map<Integer, List<SmallThings.Glimpse>> glimpses = small.find();
     List<Integer> pixels = List.copyOf(glimpses.keySet());
     Focus[] seen = new Focus[pixels.size()];
-    crew.run(
-        (seen.length + BATCH - 1) / BATCH,
-        (refiner, batch) -> {
-          for (int i = BATCH * batch; i < Math.min(seen.length, BATCH * (batch + 1)); i++) {
-            int pixel = pixels.get(i);
-            seen[i] = refiner.aim.look(pixel % film.width, pixel / film.width, glimpses.get(pixel));
-          }
+    inBatches(
+        seen.length,
+        (refiner, i) -> {
+          int pixel = pixels.get(i);
+          seen[i] = refiner.aim.look(pixel % film.width, pixel / film.width, glimpses.get(pixel));
         });
     for (int i = 0; i < seen.length; i++) {
       if (seen[i] != null) {
@@ -171,51 +174,75 @@ final class Rounds {
     sampling.run(Refiner.FIRST);
   }
 
-  /** Estimates pixels without samples; smooth ones, which do not change, only at first. */
-  private void estimate(boolean first) throws InterruptedException {
-    crew.run(
-        tiles.count(),
-        (refiner, i) ->
-            tiles.forEach(
-                i,
-                (x, y) -> {
-                  int pixel = y * film.width + x;
-                  boolean changes = first || film.kind[pixel] != Film.SMOOTH;
-                  if (film.level[pixel] > 0 && film.random[pixel]) {
-                    refiner.listen(x, y);
-                  } else if (changes && film.level[pixel] == 0) {
-                    refiner.estimate(x, y);
-                  }
-                }));
+  /** Estimates all pixels but those just sampled. */
+  private void estimateAll() throws InterruptedException {
+    crew.run(tiles.count(), (refiner, i) -> tiles.forEach(i, refiner::estimate));
+  }
+
+  /**
+   * Estimates once more those that better knowledge of what is around may have changed.
+   *
+   * @param anyEdge whether that may be so of all pixels at edges
+   */
+  private void estimate(boolean anyEdge) throws InterruptedException {
+    int[] active = allocation.active();
+    inBatches(
+        active.length,
+        (refiner, i) -> {
+          int pixel = active[i];
+          boolean edge = film.kind[pixel] == Film.SPLIT;
+          if (film.kind[pixel] == Film.BUSY || (edge && (anyEdge || film.stale[pixel]))) {
+            film.stale[pixel] = false;
+            refiner.estimate(pixel % film.width, pixel / film.width);
+          }
+        });
   }
 
   /** Does what is worth it; returns whether there was anything. */
   private boolean refine() throws InterruptedException {
     Refiner any = crew.workers().get(0);
-    boolean worked = false;
-    boolean found = film.foundMoreInSmooth();
-    for (int pixel = 0; pixel < film.kind.length; pixel++) {
-      boolean worth = allocation.worth(pixel) && film.level[pixel] < MOST;
-      if (worth && allocation.searches(pixel)) {
-        any.want(pixel % film.width, pixel / film.width);
-      } else if (worth || (found && film.mayHideMore(pixel))) {
-        sampling.choose(pixel);
-      }
-      worked |= worth;
-    }
+    allocation.forEachWorthy(
+        pixel -> {
+          if (allocation.searches(pixel)) {
+            any.want(pixel % film.width, pixel / film.width);
+          } else if (film.level[pixel] < MOST) {
+            sampling.choose(pixel);
+          }
+        });
+    chooseHiding();
+    int[] wanted = sides.wanted();
+    boolean worked = wanted.length > 0 || sampling.hasChosen();
     sampling.run(Refiner.FIRST);
-    divide();
+    inBatches(wanted.length, (refiner, i) -> sides.divide(refiner.probe, wanted[i]));
+    for (int side : wanted) {
+      int x = sides.column(side);
+      int y = sides.row(side);
+      film.outdate(x, y);
+      film.outdate(sides.isHorizontal(side) ? x : x - 1, sides.isHorizontal(side) ? y - 1 : y);
+    }
     return worked;
   }
 
-  /** Divides the brackets of the sides that are wanted. */
-  private void divide() throws InterruptedException {
-    int[] wanted = sides.wanted();
+  /** Chooses smooth pixels beside those whose samples have found more: they may hide as much. */
+  private void chooseHiding() {
+    boolean any = false;
+    for (int pixel : allocation.active()) {
+      if (film.kind[pixel] == Film.SMOOTH && film.foundMore(pixel)) {
+        any |= film.forEachUnsampledAround(pixel, sampling::choose);
+      }
+    }
+    if (any) {
+      allocation.wake();
+    }
+  }
+
+  /** Does tasks that are many and small. */
+  private void inBatches(int tasks, Crew.Task<Refiner> task) throws InterruptedException {
     crew.run(
-        (wanted.length + BATCH - 1) / BATCH,
+        (tasks + BATCH - 1) / BATCH,
         (refiner, batch) -> {
-          for (int i = BATCH * batch; i < Math.min(wanted.length, BATCH * (batch + 1)); i++) {
-            sides.divide(refiner.probe, wanted[i]);
+          for (int i = BATCH * batch; i < Math.min(tasks, BATCH * (batch + 1)); i++) {
+            task.run(refiner, i);
           }
         });
   }

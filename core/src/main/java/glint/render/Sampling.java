@@ -12,6 +12,7 @@ final class Sampling {
   private final ErrorModel model;
   private final Crew<Refiner> crew;
   private final TileCount done;
+  private final boolean[] isChosen;
   private int[] chosen = new int[1024];
   private int count;
 
@@ -20,15 +21,25 @@ final class Sampling {
     this.model = model;
     this.crew = crew;
     this.done = done;
+    isChosen = new boolean[film.kind.length];
   }
 
-  /** Chooses a pixel for the next run. */
+  /** Chooses a pixel for the next run, if it is not chosen yet. */
   void choose(int pixel) {
+    if (isChosen[pixel]) {
+      return;
+    }
+    isChosen[pixel] = true;
     if (count == chosen.length) {
       chosen = Arrays.copyOf(chosen, 2 * count);
     }
     chosen[count++] = pixel;
     film.open(pixel);
+  }
+
+  /** Returns whether any pixel is chosen. */
+  boolean hasChosen() {
+    return count > 0;
   }
 
   /** Returns the pixels that are chosen. */
@@ -62,6 +73,7 @@ final class Sampling {
         crew.workers().get(0).listen(x, y);
       }
       model.note(chosen[i], moved[i]);
+      isChosen[chosen[i]] = false;
     }
     count = 0;
   }

@@ -46,6 +46,14 @@ final class Sides {
   /** Sides whose brackets are divided next. */
   private final boolean[] wanted;
 
+  private int[] list = new int[1024];
+
+  /** All sides that were ever to be divided. */
+  private int[] searched = new int[1024];
+
+  private int searches;
+  private int count;
+
   /** Those of them that are divided beside a corner. */
   private final boolean[] besideCorner;
 
@@ -55,13 +63,13 @@ final class Sides {
     this.corners = corners;
     width = corners.stride - 1;
     horizontals = width * corners.rows;
-    int count = horizontals + corners.stride * (corners.rows - 1);
-    steps = new byte[count];
-    low = new float[count];
-    high = new float[count];
+    int all = horizontals + corners.stride * (corners.rows - 1);
+    steps = new byte[all];
+    low = new float[all];
+    high = new float[all];
     Arrays.fill(high, 1);
-    wanted = new boolean[count];
-    besideCorner = new boolean[count];
+    wanted = new boolean[all];
+    besideCorner = new boolean[all];
   }
 
   int top(int x, int y) {
@@ -82,18 +90,30 @@ final class Sides {
 
   /** Asks for a side's bracket to be divided, perhaps beside the corner that it ends at. */
   void want(int side, boolean atCorner) {
-    wanted[side] = true;
+    if (!wanted[side]) {
+      wanted[side] = true;
+      if (steps[side] == 0) {
+        searched = searches == searched.length ? Arrays.copyOf(searched, 2 * searches) : searched;
+        searched[searches++] = side;
+      }
+      list = count == list.length ? Arrays.copyOf(list, 2 * count) : list;
+      list[count++] = side;
+    }
     besideCorner[side] |= atCorner;
   }
 
   /**
    * Learns how probable it is that a bracket that ends at a corner does so because the edge runs
    * just there: from how many do, and how many would by chance.
+   *
+   * @return whether that is something new
    */
-  void learn() {
+  boolean learn() {
+    double before = atCorner;
     int ending = 0;
     double byChance = 0;
-    for (int side = 0; side < steps.length; side++) {
+    for (int i = 0; i < searches; i++) {
+      int side = searched[i];
       if (steps[side] >= 2) {
         ending += endsAtCorner(side, 2) ? 1 : 0;
         byChance += Math.scalb(2.0, -steps[side]);
@@ -101,6 +121,7 @@ final class Sides {
     }
     double atMost = byChance + 2 * Math.sqrt(byChance);
     atCorner = ending > atMost ? 1 - atMost / ending : 0;
+    return atCorner != before;
   }
 
   /** Returns the probability that a bracket's edge runs just along the corner that it ends at. */
@@ -113,49 +134,44 @@ final class Sides {
     return steps[side] >= divided && (low[side] == 0 || high[side] == 1);
   }
 
-  /** Returns the sides that were asked for, in order, and forgets that they were. */
+  /** Returns the sides that were asked for since the last call. */
   int[] wanted() {
-    int count = 0;
-    for (boolean each : wanted) {
-      count += each ? 1 : 0;
-    }
-    int[] list = new int[count];
-    for (int side = 0, i = 0; i < count; side++) {
-      if (wanted[side]) {
-        wanted[side] = false;
-        list[i++] = side;
-      }
-    }
-    return list;
+    int[] sides = Arrays.copyOf(list, count);
+    count = 0;
+    return sides;
+  }
+
+  /** Returns the column of the pixel below or to the right of a side; there may be none. */
+  int column(int side) {
+    return side < horizontals ? side % width : (side - horizontals) % corners.stride;
+  }
+
+  /** Returns the row of that pixel. */
+  int row(int side) {
+    return side < horizontals ? side / width : (side - horizontals) / corners.stride;
+  }
+
+  boolean isHorizontal(int side) {
+    return side < horizontals;
   }
 
   /** Divides the bracket of a side that an edge crosses. */
   void divide(Probe probe, int side) {
+    wanted[side] = false;
     if (steps[side] == MIXED) {
       return;
     }
     float place = place(side);
-    int first;
-    boolean finite;
-    int step;
-    if (side < horizontals) {
-      int y = side / width;
-      int x = side % width;
-      first = y * corners.stride + x;
-      step = 1;
-      finite = probe.trace(x + place, y);
-    } else {
-      int y = (side - horizontals) / corners.stride;
-      int x = (side - horizontals) % corners.stride;
-      first = y * corners.stride + x;
-      step = corners.stride;
-      finite = probe.trace(x, y + place);
-    }
+    int x = column(side);
+    int y = row(side);
+    int first = y * corners.stride + x;
+    int last = first + (side < horizontals ? 1 : corners.stride);
+    boolean finite = side < horizontals ? probe.trace(x + place, y) : probe.trace(x, y + place);
     long met = probe.signature();
     if (finite && met == corners.signature[first]) {
       low[side] = place;
       steps[side]++;
-    } else if (finite && met == corners.signature[first + step]) {
+    } else if (finite && met == corners.signature[last]) {
       high[side] = place;
       steps[side]++;
     } else {

@@ -49,7 +49,15 @@ final class Split {
    */
   boolean look(int column, int row) {
     int a = row * corners.stride + column;
-    int c = a + corners.stride;
+    boolean once = cross(column, row);
+    place(sides.middle(crossed[0]), sides.middle(crossed[1]));
+    colour(a, a + corners.stride);
+    bend(column, row);
+    return once;
+  }
+
+  /** Finds the two sides only; returns whether each is crossed once, as far as is known. */
+  boolean cross(int column, int row) {
     int count = 0;
     for (int side = 0; side < 4; side++) {
       if (isCrossed(column, row, side)) {
@@ -57,9 +65,6 @@ final class Split {
         crossed[count++] = number(column, row, side);
       }
     }
-    place(sides.middle(crossed[0]), sides.middle(crossed[1]));
-    colour(a, c);
-    bend(column, row);
     return steps() != Sides.MIXED;
   }
 
