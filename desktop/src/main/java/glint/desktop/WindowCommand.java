@@ -52,7 +52,13 @@ final class WindowCommand implements Callable<Integer> {
   }
 
   private static Desk desk(PrintWriter err) {
-    return new Desk(file -> read(file, err), new WindowImages(), System.getenv());
+    UserFolders folders = UserFolders.here();
+    return new Desk(
+        file -> read(file, err),
+        new WindowImages(),
+        folders.state().resolve("window.properties"),
+        folders.cache().resolve("thumbnails-" + Version.glint()),
+        System.getenv());
   }
 
   /** Reads a file for the window. */

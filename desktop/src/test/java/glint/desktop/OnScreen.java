@@ -7,7 +7,6 @@ import static org.junit.jupiter.api.Assumptions.assumeFalse;
 import glint.desktop.window.Desk;
 import glint.desktop.window.GlintWindow;
 import glint.desktop.window.SceneSource;
-import java.awt.AWTException;
 import java.awt.Component;
 import java.awt.Container;
 import java.awt.Frame;
@@ -22,6 +21,7 @@ import java.awt.event.InputEvent;
 import java.awt.event.KeyEvent;
 import java.awt.image.BufferedImage;
 import java.lang.reflect.InvocationTargetException;
+import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Arrays;
 import java.util.List;
@@ -47,21 +47,31 @@ final class OnScreen implements AutoCloseable {
   private final JFrame frame;
   private final Robot robot;
 
-  /** Opens a window; skips the test where there is no display. */
-  OnScreen(List<Path> files, SceneSource source) throws InterruptedException, AWTException {
+  /** Opens a window that remembers nothing; skips the test where there is no display. */
+  OnScreen(List<Path> files, SceneSource source) throws Exception {
     this(files, source, Map.of());
   }
 
-  /** Opens a window where some variables are set; skips the test where there is no display. */
-  OnScreen(List<Path> files, SceneSource source, Map<String, String> environment)
-      throws InterruptedException, AWTException {
+  /** Opens such a window where some variables are set. */
+  OnScreen(List<Path> files, SceneSource source, Map<String, String> environment) throws Exception {
+    this(files, desk(source, Files.createTempDirectory("glint"), environment));
+  }
+
+  /** Opens a window; skips the test where there is no display. */
+  OnScreen(List<Path> files, Desk desk) throws Exception {
     assumeFalse(GraphicsEnvironment.isHeadless(), "no display: see tools/xvfb.sh");
-    window = GlintWindow.open(files, new Desk(source, new WindowImages(), environment));
+    window = GlintWindow.open(files, desk);
     frame =
         (JFrame)
             Arrays.stream(Frame.getFrames()).filter(Frame::isDisplayable).findFirst().orElseThrow();
     robot = new Robot();
     robot.setAutoDelay(20);
+  }
+
+  /** Returns the surroundings of a window that keeps everything in one folder. */
+  static Desk desk(SceneSource source, Path home, Map<String, String> environment) {
+    Path state = home.resolve("state").resolve("window.properties");
+    return new Desk(source, new WindowImages(), state, home.resolve("cache"), environment);
   }
 
   JFrame frame() {

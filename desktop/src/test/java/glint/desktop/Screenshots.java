@@ -44,6 +44,7 @@ final class Screenshots {
     for (String theme : List.of("light", "dark")) {
       Path gallery = SCENES.resolve("gallery.yaml");
       try (OnScreen screen = new OnScreen(List.of(gallery), SOURCE)) {
+        screen.awaitStatus("rendering");
         if (theme.equals("dark")) {
           screen.key(KeyEvent.VK_D);
         }
@@ -54,7 +55,6 @@ final class Screenshots {
   }
 
   private void take(Path broken) throws Exception {
-    screen.awaitStatus("rendering");
     screen.awaitStatus("done");
     shoot("1-picture");
     screen.key(KeyEvent.VK_E);
@@ -62,13 +62,11 @@ final class Screenshots {
     screen.key(KeyEvent.VK_N);
     shoot("3-samples");
     screen.key(KeyEvent.VK_P);
+    Thread.sleep(4000);
     screen.drop(screen.frame(), List.of(broken));
     screen.key(KeyEvent.VK_DOWN);
     screen.awaitStatus("rendering");
     shoot("4-problems");
-    screen.key(KeyEvent.VK_SPACE);
-    screen.awaitStatus("paused");
-    shoot("5-paused");
   }
 
   private void shoot(String state) throws IOException, InterruptedException {

@@ -1,5 +1,6 @@
 package glint.desktop.window;
 
+import java.nio.file.Path;
 import java.util.Map;
 
 /**
@@ -7,9 +8,16 @@ import java.util.Map;
  *
  * @param scenes reads scene files
  * @param images writes and reads images
+ * @param state the file of what is remembered; made when it is needed
+ * @param cache the folder of small pictures; made when it is needed
  * @param environment the variables that name the user's editor
  */
-public record Desk(SceneSource scenes, ImageStore images, Map<String, String> environment) {
+public record Desk(
+    SceneSource scenes,
+    ImageStore images,
+    Path state,
+    Path cache,
+    Map<String, String> environment) {
 
   /** Copies the variables. */
   public Desk {

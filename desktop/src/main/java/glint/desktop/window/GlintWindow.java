@@ -10,14 +10,12 @@ import java.awt.image.BufferedImage;
 import java.io.IOException;
 import java.nio.file.Path;
 import java.util.List;
-import java.util.Optional;
 import java.util.concurrent.CountDownLatch;
-import java.util.function.Consumer;
 import javax.swing.Action;
 import javax.swing.Box;
-import javax.swing.ButtonGroup;
 import javax.swing.JButton;
 import javax.swing.JFrame;
+import javax.swing.JMenu;
 import javax.swing.JPanel;
 import javax.swing.JScrollPane;
 import javax.swing.JSplitPane;
@@ -27,51 +25,60 @@ import javax.swing.WindowConstants;
 /** The window; all of it belongs to the event thread. */
 public final class GlintWindow {
 
+  private static final String THEME = "theme";
+
   private final JFrame frame = new JFrame("Glint");
   private final PictureView view = new PictureView(this::point);
   private final StatusBar status = new StatusBar();
   private final WorkMarks marks = new WorkMarks();
   private final Stage stage = new Stage(this::show);
-  private final SceneList scenes = new SceneList(this::render);
+  private final Thumbnails thumbnails;
+  private final SceneList scenes;
   private final Notice notice = new Notice();
   private final Workers workers = new Workers();
   private final Problems problems = new Problems(this::edit);
   private final SidePanel side = new SidePanel();
   private final Viewing viewing = new Viewing(this::show, workers);
   private final FileDialogs dialogs = new FileDialogs(frame);
+  private final Remembered memory;
   private final OpenFiles files;
-  private final ImageWork images;
+  private final ImageCommands images;
   private final Editor editor;
   private final CountDownLatch closed = new CountDownLatch(1);
   private JButton pause;
-  private Theme theme = Theme.LIGHT;
-  private Picked picked;
-  private Snapshot snapshot;
+  private Theme theme;
   private Image linear;
   private Point pointer;
   private Dimension size;
   private boolean paused;
 
-  private GlintWindow(Desk desk) {
-    files = new OpenFiles(desk.scenes(), scenes, problems, workers);
-    images = new ImageWork(desk.images(), workers, notice);
+  private GlintWindow(Desk desk, Remembered memory, Theme theme) {
+    this.memory = memory;
+    this.theme = theme;
+    thumbnails = new Thumbnails(new ThumbnailCache(desk.cache()), frame::repaint);
+    scenes = new SceneList(this::render, thumbnails::of);
+    files = new OpenFiles(desk.scenes(), scenes, problems, workers, thumbnails);
+    ImageWork work = new ImageWork(desk.images(), workers, notice);
+    images = new ImageCommands(viewing, work, dialogs, view::picture);
     editor = new Editor(desk.environment());
   }
 
   /** Opens a window with the scenes of files and returns it; not for the event thread. */
   public static GlintWindow open(List<Path> files, Desk desk) throws InterruptedException {
     GlintWindow[] made = new GlintWindow[1];
+    Remembered memory = Remembered.read(desk.state());
+    Theme theme = Theme.named(memory.word(THEME).orElse(""));
     try {
       SwingUtilities.invokeAndWait(
           () -> {
-            Theme.LIGHT.apply();
-            made[0] = new GlintWindow(desk);
+            theme.apply();
+            made[0] = new GlintWindow(desk, memory, theme);
             made[0].lay();
+            made[0].open(files);
           });
     } catch (java.lang.reflect.InvocationTargetException e) {
       throw new IllegalStateException("the window cannot be opened: " + e.getCause(), e.getCause());
     }
-    made[0].files.open(files);
     return made[0];
   }
 
@@ -88,17 +95,16 @@ public final class GlintWindow {
     controls.bar().add(Box.createHorizontalGlue());
     controls.bar().add(notice);
     JScrollPane list = new JScrollPane(scenes);
-    list.setMinimumSize(new Dimension(160, 100));
-    JPanel left = new JPanel(new BorderLayout());
-    left.add(list, BorderLayout.CENTER);
+    list.setMinimumSize(new Dimension(120, 100));
+    list.setPreferredSize(new Dimension(230, 100));
     JPanel centre = new JPanel(new BorderLayout());
     centre.add(view, BorderLayout.CENTER);
     centre.add(viewing.strip(), BorderLayout.SOUTH);
     JSplitPane right = new JSplitPane(JSplitPane.HORIZONTAL_SPLIT, centre, side);
     right.setResizeWeight(1);
-    JSplitPane middle = new JSplitPane(JSplitPane.HORIZONTAL_SPLIT, left, right);
-    middle.setDividerLocation(220);
-    frame.setTransferHandler(new FileDrop(files::open));
+    JSplitPane middle = new JSplitPane(JSplitPane.HORIZONTAL_SPLIT, list, right);
+    FrameMemory place = new FrameMemory(memory, frame, list, side);
+    frame.setTransferHandler(new FileDrop(this::open));
     scenes.setTransferHandler(frame.getTransferHandler());
     frame.add(controls.bar(), BorderLayout.NORTH);
     JPanel below = new JPanel(new BorderLayout());
@@ -111,23 +117,20 @@ public final class GlintWindow {
         new WindowAdapter() {
           @Override
           public void windowClosed(WindowEvent e) {
-            stage.close();
-            workers.end();
-            closed.countDown();
+            place.keep();
+            end();
           }
         });
-    frame.pack();
-    frame.setLocationByPlatform(true);
+    place.restore();
     frame.setVisible(true);
     scenes.requestFocusInWindow();
   }
 
   private void addCommands(Controls controls) {
-    controls.menu("File");
-    controls.add("Open", "O, menu O", this::open);
-    controls.add("Save image", "menu S", this::save);
-    controls.item("Copy picture", "menu C", this::copy);
-    controls.item("Compare with", "menu D", () -> compare(() -> {}));
+    JMenu menu = controls.menu("File");
+    controls.add("Open", "O, menu O", () -> open(dialogs.openScenes()));
+    menu.add(new RecentMenu(memory::recent, this::open));
+    images.addFiles(controls);
     controls.item("Next problem", "F8", problems::openNext);
     controls.item("Close", "menu W, menu Q", frame::dispose);
     controls.gap();
@@ -141,55 +144,15 @@ public final class GlintWindow {
     controls.item("Larger", "PLUS, shift EQUALS, EQUALS, ADD", () -> view.zoomBy(1));
     controls.item("Smaller", "MINUS, SUBTRACT", () -> view.zoomBy(-1));
     controls.gap();
-    addLooks(controls);
+    images.addLooks(controls);
     controls.gap();
     controls.item("Light or dark", "D", this::changeTheme);
     new CameraCommands(stage, notice).add(controls);
   }
 
-  private void addLooks(Controls controls) {
-    ButtonGroup looks = new ButtonGroup();
-    controls.choice(looks, "Picture", "P", () -> viewing.show(Look.PICTURE));
-    controls.choice(looks, "Error", "E", () -> viewing.show(Look.ERROR));
-    controls.choice(looks, "Samples", "N", () -> viewing.show(Look.SAMPLES));
-    controls.choice(looks, "Split", "B", () -> look(Look.SPLIT));
-    controls.choice(looks, "Difference", "X", () -> look(Look.DIFFERENCE));
-  }
-
-  private void open() {
-    files.open(dialogs.openScenes());
-  }
-
-  private void save() {
-    if (snapshot != null && snapshot.linear().isPresent()) {
-      Optional<Path> file = dialogs.saveImage(picked.scene().name());
-      file.ifPresent(to -> images.save(picked, snapshot, to));
-    }
-  }
-
-  private void copy() {
-    if (view.picture() != null) {
-      images.copy(view.picture());
-    }
-  }
-
-  /** Asks for an image to compare with, and does something once it is there. */
-  private void compare(Runnable then) {
-    if (picked != null) {
-      Consumer<Comparand> receiver =
-          read -> {
-            viewing.compare(read);
-            then.run();
-          };
-      dialogs.openImage().ifPresent(file -> images.load(file, picked.scene().transfer(), receiver));
-    }
-  }
-
-  private void look(Look look) {
-    viewing.show(look);
-    if (viewing.other().isEmpty()) {
-      compare(() -> viewing.show(look));
-    }
+  private void open(List<Path> named) {
+    named.forEach(memory::opened);
+    files.open(named);
   }
 
   private void edit(Place place) {
@@ -205,15 +168,15 @@ public final class GlintWindow {
   }
 
   private void render(Picked next) {
-    picked = next;
-    viewing.begin();
-    frame.setTitle(picked.scene().name() + " - Glint");
-    size = new Dimension(picked.scene().width(), picked.scene().height());
-    stage.show(picked);
+    thumbnails.allow(false);
+    viewing.begin(next);
+    frame.setTitle(next.scene().name() + " - Glint");
+    size = new Dimension(next.scene().width(), next.scene().height());
+    stage.show(next);
   }
 
-  private void show(Snapshot next) {
-    snapshot = next;
+  private void show(Snapshot snapshot) {
+    thumbnails.allow(snapshot.state().isOver());
     boolean moving = snapshot.state() == Snapshot.State.MOVING;
     marks.mark(snapshot.inWork());
     viewing.show(snapshot);
@@ -234,8 +197,24 @@ public final class GlintWindow {
     stage.pause(!paused);
   }
 
+  /** Ends all threads but one, which writes what is remembered. */
+  private void end() {
+    stage.close();
+    thumbnails.end();
+    workers.end();
+    Thread last =
+        new Thread(
+            () -> {
+              memory.write();
+              closed.countDown();
+            },
+            "glint-window-end");
+    last.start();
+  }
+
   private void changeTheme() {
     theme = theme.other();
+    memory.word(THEME, theme.name());
     theme.apply();
   }
 

@@ -13,10 +13,17 @@ final class OpenFiles {
   private final SceneList list;
   private final Problems problems;
   private final Workers workers;
+  private final Thumbnails thumbnails;
   private final FileWatch watch = new FileWatch(this::readAgain);
 
   /** Sets up no file. */
-  OpenFiles(SceneSource source, SceneList list, Problems problems, Workers workers) {
+  OpenFiles(
+      SceneSource source,
+      SceneList list,
+      Problems problems,
+      Workers workers,
+      Thumbnails thumbnails) {
+    this.thumbnails = thumbnails;
     this.source = source;
     this.list = list;
     this.problems = problems;
@@ -54,5 +61,6 @@ final class OpenFiles {
     watch.watch(file, found.parts());
     problems.show(library.problems());
     list.show(library.scenes(), choose);
+    thumbnails.want(library.scenes());
   }
 }

@@ -1,9 +1,11 @@
 package glint.desktop.window;
 
 import java.awt.Component;
+import java.awt.image.BufferedImage;
 import java.util.List;
 import java.util.Optional;
 import java.util.function.Consumer;
+import java.util.function.Function;
 import javax.swing.BorderFactory;
 import javax.swing.DefaultListCellRenderer;
 import javax.swing.JLabel;
@@ -22,12 +24,13 @@ final class SceneList extends JList<Picked> {
    * Makes an empty list.
    *
    * @param chosen hears of the scene that is chosen
+   * @param thumbnails returns small pictures, as far as there are any
    */
-  SceneList(Consumer<Picked> chosen) {
+  SceneList(Consumer<Picked> chosen, Function<Picked, Optional<BufferedImage>> thumbnails) {
     setName("scenes");
     getAccessibleContext().setAccessibleName("Scenes");
     setSelectionMode(ListSelectionModel.SINGLE_SELECTION);
-    setCellRenderer(new Cell());
+    setCellRenderer(new Cell(thumbnails));
     for (String key : List.of("SPACE", "menu C")) { // they are of the whole window
       getInputMap().put(Keys.of(key).get(0), "none");
     }
@@ -69,6 +72,12 @@ final class SceneList extends JList<Picked> {
   private static final class Cell extends DefaultListCellRenderer {
     private static final long serialVersionUID = 1;
 
+    private final transient Function<Picked, Optional<BufferedImage>> thumbnails;
+
+    Cell(Function<Picked, Optional<BufferedImage>> thumbnails) {
+      this.thumbnails = thumbnails;
+    }
+
     @Override
     public Component getListCellRendererComponent(
         JList<?> list, Object value, int index, boolean selected, boolean focused) {
@@ -76,7 +85,9 @@ final class SceneList extends JList<Picked> {
       JLabel label =
           (JLabel) super.getListCellRendererComponent(list, value, index, selected, focused);
       label.setText(picked.scene().name());
-      label.setBorder(BorderFactory.createEmptyBorder(4, 10, 4, 10));
+      label.setIcon(new ThumbnailIcon(thumbnails.apply(picked)));
+      label.setIconTextGap(10);
+      label.setBorder(BorderFactory.createEmptyBorder(3, 6, 3, 6));
       label.setToolTipText(picked.scene().title().isEmpty() ? null : picked.scene().title());
       return label;
     }

@@ -9,6 +9,11 @@ enum Theme {
   LIGHT,
   DARK;
 
+  /** Returns the look with a name; the light one if there is none. */
+  static Theme named(String name) {
+    return DARK.name().equals(name) ? DARK : LIGHT;
+  }
+
   /** Gives this look to every window, those that are open included. */
   void apply() {
     FlatLaf.setup(this == LIGHT ? new FlatLightLaf() : new FlatDarkLaf());

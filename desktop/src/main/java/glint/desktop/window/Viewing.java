@@ -21,6 +21,7 @@ final class Viewing {
   private final Strip strip;
   private final Workers workers;
   private Look look = Look.PICTURE;
+  private Picked picked;
   private Snapshot snapshot;
   private Comparand other;
   private String words = " ";
@@ -49,10 +50,21 @@ final class Viewing {
     return Optional.ofNullable(other);
   }
 
-  /** Another scene follows: what is being made of this one is not shown. */
-  void begin() {
+  /** Another scene follows: what is being made of the one before is not shown. */
+  void begin(Picked next) {
     scene++;
+    picked = next;
     snapshot = null;
+  }
+
+  /** Returns which scene is seen. */
+  Optional<Picked> picked() {
+    return Optional.ofNullable(picked);
+  }
+
+  /** Returns where its render stands. */
+  Optional<Snapshot> snapshot() {
+    return Optional.ofNullable(snapshot);
   }
 
   /** Shows where a render stands. */
