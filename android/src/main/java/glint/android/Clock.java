@@ -1,7 +1,5 @@
 package glint.android;
 
-import android.os.SystemClock;
-
 /** A watch that can be stopped; thread-safe. */
 final class Clock {
 
@@ -12,7 +10,7 @@ final class Clock {
   /** Lets it run. */
   synchronized void go() {
     if (!running) {
-      began = SystemClock.elapsedRealtimeNanos();
+      began = System.nanoTime();
       running = true;
     }
   }
@@ -29,6 +27,6 @@ final class Clock {
   }
 
   private long nanos() {
-    return before + (running ? SystemClock.elapsedRealtimeNanos() - began : 0);
+    return before + (running ? System.nanoTime() - began : 0);
   }
 }

@@ -11,8 +11,11 @@ import java.io.InputStream;
 /** What a document provider tells of a file that was picked. */
 final class Document {
 
-  /** No reader of a scene or a model holds more, at its height, for a byte of its file. */
-  private static final int MEMORY_PER_BYTE = 16;
+  /** What the reader of a model holds at its height, for a byte of its file. */
+  private static final int OF_A_MODEL = 3;
+
+  /** What the readers of scene files hold. */
+  private static final int OF_A_SCENE = 24;
 
   private Document() {}
 
@@ -45,7 +48,7 @@ final class Document {
   /** Refuses a file that would not fit into memory, as far as its size is known. */
   static void checkSize(Context context, Uri file, String name) throws IOException {
     long size = size(context, file);
-    long needed = size * MEMORY_PER_BYTE;
+    long needed = size * (name.endsWith(".obj") ? OF_A_MODEL : OF_A_SCENE);
     long free = Heap.now().bytes();
     if (needed > free) {
       throw new IOException(

@@ -1,7 +1,6 @@
 package glint.android;
 
-import glint.geometry.Mesh;
-import glint.scene.Placement;
+import glint.scene.Footprint;
 import glint.scene.Scene;
 
 /**
@@ -14,11 +13,8 @@ record Heap(long bytes) {
   /** What a render holds of every pixel: linear colour, corners, estimates, sums of samples. */
   private static final long PIXEL = 144;
 
-  /** What a triangle takes among the primitives and in the tree over them, while it is built. */
-  private static final long TRIANGLE = 320;
-
-  /** What a surface takes that is not made of triangles. */
-  private static final long SURFACE = 1000;
+  /** While a scene is prepared, it takes so many times as much as afterwards. */
+  private static final long BUILDING = 3;
 
   /** A smaller picture than this is of no use. */
   private static final int LEAST_SIDE = 64;
@@ -44,18 +40,11 @@ record Heap(long bytes) {
     return needed(scene, width, height) <= bytes;
   }
 
-  /** Returns what a scene's geometry and a picture of it need at the most. */
+  /**
+   * Returns what a scene's geometry, while it is prepared, and a picture of it need at the most.
+   */
   static long needed(Scene scene, int width, int height) {
-    return geometry(scene) + PIXEL * width * height;
-  }
-
-  /** Returns what the geometry of a scene needs at the most, while it is prepared. */
-  static long geometry(Scene scene) {
-    long sum = 0;
-    for (Placement each : scene.placements()) {
-      sum += each.surface() instanceof Mesh mesh ? TRIANGLE * mesh.triangles() : SURFACE;
-    }
-    return sum;
+    return BUILDING * Footprint.of(scene) + PIXEL * width * height;
   }
 
   /** Returns mebibytes, rounded up. */

@@ -32,8 +32,7 @@ public final class MainActivity extends Activity {
     message = findViewById(R.id.message);
     Thumbnails kept = (Thumbnails) getLastNonConfigurationInstance();
     thumbnails = kept == null ? new Thumbnails() : kept;
-    scenes = new SceneAdapter(this, thumbnails);
-    thumbnails.watch(scenes::notifyDataSetChanged);
+    scenes = new SceneAdapter(this);
     ListView list = findViewById(R.id.scenes);
     list.setAdapter(scenes);
     list.setOnItemClickListener((parent, row, position, id) -> open(scenes.getItem(position)));
@@ -45,16 +44,24 @@ public final class MainActivity extends Activity {
   }
 
   private void read(Uri next) {
+    if (file != null) {
+      thumbnails.close();
+      thumbnails = new Thumbnails();
+    }
     file = next;
     message.setText(R.string.reading);
     message.setVisibility(View.VISIBLE);
-    GlintApplication.library(this).read(next, this::show);
+    GlintApplication.library(this).read(next, reading -> show(next, reading));
   }
 
-  private void show(Reading reading) {
+  private void show(Uri read, Reading reading) {
+    if (isDestroyed() || !read.equals(file)) {
+      return;
+    }
     boolean gallery = SceneReader.GALLERY.equals(file);
     setTitle(gallery ? getString(R.string.app_name) : reading.name());
-    scenes.show(reading.scenes());
+    thumbnails.watch(scenes::notifyDataSetChanged);
+    scenes.show(reading.scenes(), thumbnails);
     int wrong = reading.problems().size();
     message.setText(
         getResources().getQuantityString(R.plurals.problems, wrong, wrong)
@@ -150,7 +157,7 @@ public final class MainActivity extends Activity {
   @Override
   public void onTrimMemory(int level) {
     super.onTrimMemory(level);
-    if (level >= TRIM_MEMORY_RUNNING_CRITICAL) {
+    if (level >= TRIM_MEMORY_BACKGROUND) {
       thumbnails.forget();
     }
   }

@@ -1,6 +1,7 @@
 package glint.android;
 
 import android.content.Context;
+import android.content.res.TypedArray;
 import android.graphics.Bitmap;
 import android.graphics.Canvas;
 import android.graphics.Color;
@@ -15,12 +16,16 @@ import android.view.SurfaceView;
 public final class PictureView extends SurfaceView implements SurfaceHolder.Callback {
 
   private final Paint paint = new Paint(Paint.FILTER_BITMAP_FLAG);
+  private final int background;
   private Bitmap bitmap;
   private boolean ready;
 
   /** Makes an empty one; layouts do. */
   public PictureView(Context context, AttributeSet attributes) {
     super(context, attributes);
+    TypedArray colors = context.obtainStyledAttributes(new int[] {android.R.attr.colorBackground});
+    background = colors.getColor(0, Color.BLACK);
+    colors.recycle();
     getHolder().addCallback(this);
   }
 
@@ -45,7 +50,7 @@ public final class PictureView extends SurfaceView implements SurfaceHolder.Call
 
   /** Paints all of the surface. */
   void paint(Canvas canvas) {
-    canvas.drawColor(Color.BLACK);
+    canvas.drawColor(background);
     if (bitmap != null) {
       canvas.drawBitmap(bitmap, null, place(bitmap.getWidth(), bitmap.getHeight()), paint);
     }

@@ -27,6 +27,8 @@ public final class RenderActivity extends Activity {
   /** Where the camera was when the app's process ended; null for where the scene has it. */
   private double[] at;
 
+  private boolean visible;
+
   /** Returns what opens a scene of a file. */
   static Intent intent(Context context, Uri file, String scene) {
     return new Intent(context, RenderActivity.class).setData(file).putExtra(SCENE, scene);
@@ -59,11 +61,14 @@ public final class RenderActivity extends Activity {
       if (scene.name().equals(name)) {
         Camera camera = at == null ? scene.camera() : CameraState.moved(scene.camera(), at);
         session = new Session(scene, camera, Settings.load(this));
+        session.leave(!visible);
         show();
         return;
       }
     }
-    Toast.makeText(this, R.string.gone, Toast.LENGTH_LONG).show();
+    String why =
+        reading.problems().isEmpty() ? getString(R.string.gone) : reading.problems().get(0);
+    Toast.makeText(this, why, Toast.LENGTH_LONG).show();
     finish();
   }
 
@@ -128,6 +133,7 @@ public final class RenderActivity extends Activity {
   @Override
   protected void onStart() {
     super.onStart();
+    visible = true;
     if (session != null) {
       session.leave(false);
     }
@@ -136,6 +142,7 @@ public final class RenderActivity extends Activity {
   @Override
   protected void onStop() {
     super.onStop();
+    visible = false;
     if (session != null && !isChangingConfigurations()) {
       session.leave(true);
     }

@@ -14,17 +14,17 @@ import java.util.List;
 final class SceneAdapter extends BaseAdapter {
 
   private final Context context;
-  private final Thumbnails thumbnails;
+  private Thumbnails thumbnails;
   private List<Scene> scenes = List.of();
 
-  SceneAdapter(Context context, Thumbnails thumbnails) {
+  SceneAdapter(Context context) {
     this.context = context;
-    this.thumbnails = thumbnails;
   }
 
-  /** Sets the scenes. */
-  void show(List<Scene> newScenes) {
+  /** Sets the scenes, and where their pictures come from. */
+  void show(List<Scene> newScenes, Thumbnails newThumbnails) {
     scenes = newScenes;
+    thumbnails = newThumbnails;
     notifyDataSetChanged();
   }
 

@@ -41,6 +41,8 @@ final class SceneReader {
       return failed(name, context.getString(R.string.cannot_read, name, e.getMessage()));
     } catch (OutOfMemoryError e) {
       return failed(name, context.getString(R.string.no_memory_to_read, name));
+    } catch (StackOverflowError e) {
+      return failed(name, context.getString(R.string.nested_too_deeply, name));
     }
   }
 

@@ -63,6 +63,7 @@ final class Session {
             settings.threads(),
             RenderSettings.DEFAULT_TILE,
             Set.of());
+    last = run == null ? null : bitmap();
     Scene picture = scene.seenBy(camera, width, height);
     run = new Run(world, picture, how, painter, () -> main.post(this::changed));
     run.hold(paused || away);
@@ -70,7 +71,6 @@ final class Session {
   }
 
   private void changed() {
-    last = bitmap();
     if (moving && run.status().state() == State.DONE) {
       coarseness.learn(run.status().seconds());
       if (!run.sees(camera)) {

@@ -39,7 +39,7 @@ public final class SettingsActivity extends Activity {
   private List<String> levels() {
     List<String> words = new ArrayList<>();
     for (float each : Settings.LEVELS) {
-      words.add(getString(R.string.levels, NumberFormat.getInstance().format(each)));
+      words.add(NumberFormat.getInstance().format(each));
     }
     return words;
   }

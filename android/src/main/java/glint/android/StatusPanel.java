@@ -34,7 +34,7 @@ final class StatusPanel {
       return;
     }
     Status status = session.status();
-    bar.setIndeterminate(status.state() == State.PREPARING);
+    bar.setIndeterminate(!status.state().isOver() && status.part() == 0);
     bar.setProgress((int) (PARTS * status.part()));
     say(state, words(session, status.state()));
     say(figures, status.rays() == 0 ? "" : figures(status));

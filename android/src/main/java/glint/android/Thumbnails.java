@@ -73,7 +73,7 @@ final class Thumbnails {
               GOAL,
               0,
               OptionalInt.empty(),
-              1,
+              Settings.mostThreads(),
               RenderSettings.DEFAULT_TILE,
               Set.of());
       Renderer next = new Renderer(Prepared.of(scene), how);
