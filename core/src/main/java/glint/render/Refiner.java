@@ -214,8 +214,7 @@ final class Refiner {
     if (have == 0) {
       freeze(x, y, slot);
     } else if (film.kind[pixel] == Film.SPLIT) {
-      split.look(x, y);
-      split.place(film.edge[2 * slot], film.edge[2 * slot + 1]);
+      split.freeze(x, y, film.edge[2 * slot], film.edge[2 * slot + 1]);
     }
     probe.pixel(x, y);
     int total = 1 << level;
@@ -288,7 +287,7 @@ final class Refiner {
     if (film.kind[pixel] == Film.SPLIT) {
       film.edge[2 * slot] = (float) split.along(0);
       film.edge[2 * slot + 1] = (float) split.along(1);
-      split.place(film.edge[2 * slot], film.edge[2 * slot + 1]);
+      split.freeze(x, y, film.edge[2 * slot], film.edge[2 * slot + 1]);
     }
     for (int channel = 0; channel < 3; channel++) {
       film.sums[Film.SLOT * slot + 6 + channel] =

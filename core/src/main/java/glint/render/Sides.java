@@ -52,6 +52,13 @@ final class Sides {
   private int[] searched = new int[1024];
 
   private int searches;
+
+  /** The number of a side among those, or -1. */
+  private final int[] slot;
+
+  /** For each of those, the radiance at both ends of its bracket. */
+  private double[] seen = new double[6 * 1024];
+
   private int count;
 
   /** Those of them that are divided beside a corner. */
@@ -68,6 +75,8 @@ final class Sides {
     low = new float[all];
     high = new float[all];
     Arrays.fill(high, 1);
+    slot = new int[all];
+    Arrays.fill(slot, -1);
     wanted = new boolean[all];
     besideCorner = new boolean[all];
   }
@@ -88,18 +97,63 @@ final class Sides {
     return left(x + 1, y);
   }
 
+  /** Returns the number of a side of a pixel: 0 top, 1 bottom, 2 left, 3 right. */
+  int number(int x, int y, int side) {
+    return switch (side) {
+      case 0 -> top(x, y);
+      case 1 -> bottom(x, y);
+      case 2 -> left(x, y);
+      default -> right(x, y);
+    };
+  }
+
   /** Asks for a side's bracket to be divided, perhaps beside the corner that it ends at. */
   void want(int side, boolean atCorner) {
     if (!wanted[side]) {
       wanted[side] = true;
       if (steps[side] == 0) {
-        searched = searches == searched.length ? Arrays.copyOf(searched, 2 * searches) : searched;
-        searched[searches++] = side;
+        open(side);
       }
       list = count == list.length ? Arrays.copyOf(list, 2 * count) : list;
       list[count++] = side;
     }
     besideCorner[side] |= atCorner;
+  }
+
+  /** Gives a side that is searched for the first time a place for what is seen there. */
+  private void open(int side) {
+    if (searches == searched.length) {
+      searched = Arrays.copyOf(searched, 2 * searches);
+      seen = Arrays.copyOf(seen, 6 * searched.length);
+    }
+    System.arraycopy(corners.rgb, 3 * first(side), seen, 6 * searches, 3);
+    System.arraycopy(corners.rgb, 3 * last(side), seen, 6 * searches + 3, 3);
+    slot[side] = searches;
+    searched[searches++] = side;
+  }
+
+  /** Returns the corner where a side begins. */
+  private int first(int side) {
+    return row(side) * corners.stride + column(side);
+  }
+
+  /** Returns the corner where it ends. */
+  private int last(int side) {
+    return first(side) + (isHorizontal(side) ? 1 : corners.stride);
+  }
+
+  /**
+   * Returns the radiance at an end of a side's bracket, as far as is known.
+   *
+   * @param high whether at the end where it is high
+   * @param out the last three numbers are set
+   */
+  void beside(int side, boolean high, double[] out) {
+    if (slot[side] < 0) {
+      System.arraycopy(corners.rgb, 3 * (high ? last(side) : first(side)), out, 2, 3);
+    } else {
+      System.arraycopy(seen, 6 * slot[side] + (high ? 3 : 0), out, 2, 3);
+    }
   }
 
   /**
@@ -164,19 +218,25 @@ final class Sides {
     float place = place(side);
     int x = column(side);
     int y = row(side);
-    int first = y * corners.stride + x;
-    int last = first + (side < horizontals ? 1 : corners.stride);
-    boolean finite = side < horizontals ? probe.trace(x + place, y) : probe.trace(x, y + place);
+    boolean finite = isHorizontal(side) ? probe.trace(x + place, y) : probe.trace(x, y + place);
     long met = probe.signature();
-    if (finite && met == corners.signature[first]) {
+    if (finite && met == corners.signature[first(side)]) {
       low[side] = place;
       steps[side]++;
-    } else if (finite && met == corners.signature[last]) {
+      see(probe, 6 * slot[side]);
+    } else if (finite && met == corners.signature[last(side)]) {
       high[side] = place;
       steps[side]++;
+      see(probe, 6 * slot[side] + 3);
     } else {
       steps[side] = MIXED;
     }
+  }
+
+  private void see(Probe probe, int at) {
+    seen[at] = probe.r();
+    seen[at + 1] = probe.g();
+    seen[at + 2] = probe.b();
   }
 
   private float place(int side) {

@@ -23,10 +23,12 @@ final class Split {
   /** Which side of the pixel each is: 0 top, 1 bottom, 2 left, 3 right. */
   private final int[] which = new int[2];
 
-  /** The mean colour of the corners on the side of the upper left one, and on the other. */
-  private final double[] first = new double[3];
+  private final Parts parts;
 
-  private final double[] second = new double[3];
+  /** The mean colour on the side of the upper left corner, and on the other. */
+  private final double[] first;
+
+  private final double[] second;
 
   /** By how much a curved edge covers more than its chord, on the side of the upper left corner. */
   private double bulge;
@@ -40,6 +42,9 @@ final class Split {
   Split(CornerGrid corners, Sides sides) {
     this.corners = corners;
     this.sides = sides;
+    parts = new Parts(corners, sides);
+    first = parts.first;
+    second = parts.second;
   }
 
   /**
@@ -48,10 +53,9 @@ final class Split {
    * @return whether each of the two is crossed once, as far as is known
    */
   boolean look(int column, int row) {
-    int a = row * corners.stride + column;
     boolean once = cross(column, row);
     place(sides.middle(crossed[0]), sides.middle(crossed[1]));
-    colour(a, a + corners.stride);
+    parts.fromSearch(column, row, which, x, y);
     bend(column, row);
     return once;
   }
@@ -62,7 +66,7 @@ final class Split {
     for (int side = 0; side < 4; side++) {
       if (isCrossed(column, row, side)) {
         which[count] = side;
-        crossed[count++] = number(column, row, side);
+        crossed[count++] = sides.number(column, row, side);
       }
     }
     return steps() != Sides.MIXED;
@@ -101,7 +105,7 @@ final class Split {
         other = side;
       }
     }
-    int number = other < 0 ? -1 : number(nextX, nextY, other);
+    int number = other < 0 ? -1 : sides.number(nextX, nextY, other);
     if (other < 0 || sides.steps[number] == Sides.MIXED) {
       return 0;
     }
@@ -125,17 +129,15 @@ final class Split {
     return corners.signature[a] != corners.signature[b];
   }
 
-  private int number(int column, int row, int side) {
-    return switch (side) {
-      case 0 -> sides.top(column, row);
-      case 1 -> sides.bottom(column, row);
-      case 2 -> sides.left(column, row);
-      default -> sides.right(column, row);
-    };
+  /** Divides a pixel by a straight edge, in two plain colours that no better knowledge changes. */
+  void freeze(int column, int row, double one, double two) {
+    cross(column, row);
+    place(one, two);
+    parts.fromCorners(column, row);
   }
 
   /** Has a straight edge cross the two sides elsewhere: 0 to 1 along them. */
-  void place(double one, double two) {
+  private void place(double one, double two) {
     bulge = 0;
     doubt = 0;
     place(0, one);
@@ -151,27 +153,6 @@ final class Split {
   private void place(int i, double along) {
     x[i] = which[i] < 2 ? along : which[i] - 2;
     y[i] = which[i] < 2 ? which[i] : along;
-  }
-
-  private void colour(int a, int c) {
-    double[] rgb = corners.rgb;
-    long[] met = corners.signature;
-    for (int channel = 0; channel < 3; channel++) {
-      double here = 0;
-      double there = 0;
-      int near = 0;
-      for (int i = 0; i < 4; i++) {
-        int corner = i % 2 + (i < 2 ? a : c);
-        if (met[corner] == met[a]) {
-          here += rgb[3 * corner + channel];
-          near++;
-        } else {
-          there += rgb[3 * corner + channel];
-        }
-      }
-      first[channel] = here / near;
-      second[channel] = there / (4 - near);
-    }
   }
 
   /** Returns the number of one of the two sides crossed. */
