@@ -9,6 +9,9 @@ import java.security.NoSuchAlgorithmException;
 /** Figures of a finished image that need every pixel. */
 final class ImageFacts {
 
+  /** A rise, in levels, up to which the slope of a curve bounds it well. */
+  private static final double LITTLE = 0.1;
+
   private ImageFacts() {}
 
   /** Returns the number of pixels with a channel above display white. */
@@ -31,11 +34,15 @@ final class ImageFacts {
    *     it
    */
   static double truncation(Image image, double[] cut, Transfer transfer) {
+    LevelScale scale = LevelScale.of(transfer);
     double[] rgb = image.rgb();
     double sum = 0;
     for (int i = 0; i < rgb.length; i++) {
       if (cut[i / 3] > 0) {
-        double error = transfer.level(rgb[i] + cut[i / 3]) - transfer.level(rgb[i]);
+        double error = scale.rise(rgb[i], cut[i / 3]);
+        if (!(error < LITTLE)) {
+          error = transfer.level(rgb[i] + cut[i / 3]) - transfer.level(rgb[i]);
+        }
         sum += error * error;
       }
     }

@@ -1,6 +1,8 @@
 package glint.render;
 
 import glint.color.Transfer;
+import java.util.EnumMap;
+import java.util.Map;
 
 /**
  * Display levels by table, for estimates of error: within a hundredth of a level, many times faster
@@ -11,10 +13,22 @@ final class LevelScale {
   /** Steps of the table, even in the square root of the linear value. */
   private static final int STEPS = 1024;
 
+  private static final Map<Transfer, LevelScale> SCALES = new EnumMap<>(Transfer.class);
+
+  static {
+    for (Transfer each : Transfer.values()) {
+      SCALES.put(each, new LevelScale(each));
+    }
+  }
+
   private final double[] levels = new double[STEPS + 2];
 
-  /** Tabulates a curve. */
-  LevelScale(Transfer transfer) {
+  /** Returns the table of a curve. */
+  static LevelScale of(Transfer transfer) {
+    return SCALES.get(transfer);
+  }
+
+  private LevelScale(Transfer transfer) {
     for (int i = 0; i < levels.length; i++) {
       double root = (double) i / STEPS;
       levels[i] = transfer.level(root * root);
@@ -29,6 +43,19 @@ final class LevelScale {
     double place = STEPS * Math.sqrt(Math.min(linear, 1));
     int i = (int) place;
     return levels[i] + (place - i) * (levels[i + 1] - levels[i]);
+  }
+
+  /**
+   * Returns a bound on how far a level rises when a linear value does by a little: curves are
+   * concave, so none is steeper than its chord over the step before.
+   */
+  double rise(double linear, double more) {
+    if (linear >= 1) {
+      return 0;
+    }
+    int i = Math.max(1, (int) (STEPS * Math.sqrt(Math.max(linear, 0))));
+    double step = (2.0 * i - 1) / STEPS / STEPS;
+    return more * (levels[i] - levels[i - 1]) / step;
   }
 
   /** Returns the square, in levels², of an error of a linear value, half to either side of it. */

@@ -69,7 +69,7 @@ final class Settling {
     this.everywhere = everywhere;
     this.samples = samples;
     this.image = image;
-    scale = new LevelScale(transfer);
+    scale = LevelScale.of(transfer);
     last = new float[image.width() * image.height()];
     before = new float[samples < 4 ? 0 : last.length];
     mask = Integer.highestOneBit(Math.max(1, last.length / WATCHED)) - 1;

@@ -43,7 +43,7 @@ final class TargetRender implements Method {
   public Traced run(Progress progress, BooleanSupplier cancelled, ThreadFactory threads)
       throws InterruptedException {
     long deadline = deadline();
-    LevelScale scale = new LevelScale(scene.scene().transfer());
+    LevelScale scale = LevelScale.of(scene.scene().transfer());
     RenderSettings cutting = settings.following(Cutoff.find(scene, settings, goal.levels(), scale));
     List<Refiner> refiners = new ArrayList<>();
     for (int i = 0; i < settings.threads(); i++) {

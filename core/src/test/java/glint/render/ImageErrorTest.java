@@ -126,7 +126,7 @@ class ImageErrorTest {
     Probe probe = new Probe(prepared, settings(1).following(1e-6), (PixelWatch) null);
     CornerGrid corners = new CornerGrid(SIZE, SIZE, images);
     for (int i = 0; i < (SIZE + 1) * (SIZE + 1); i++) {
-      corners.trace(probe, new LevelScale(Transfer.SRGB), i % (SIZE + 1), i / (SIZE + 1));
+      corners.trace(probe, LevelScale.of(Transfer.SRGB), i % (SIZE + 1), i / (SIZE + 1));
     }
     int count = 0;
     for (int pixel = 0; pixel < SIZE * SIZE; pixel++) {

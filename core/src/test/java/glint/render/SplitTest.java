@@ -48,7 +48,7 @@ class SplitTest {
       @ForAll @IntRange(max = 15) int first,
       @ForAll @IntRange(max = 15) int second) {
     CornerGrid corners = corners(PATTERNS[pattern]);
-    LevelScale scale = new LevelScale(Transfer.LINEAR);
+    LevelScale scale = LevelScale.of(Transfer.LINEAR);
     Split known = split(corners, first, second);
     known.look(0, 0);
     // Sixteen even places in each bracket, as if halved four times more.
