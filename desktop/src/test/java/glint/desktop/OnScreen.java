@@ -166,7 +166,7 @@ final class OnScreen implements AutoCloseable {
   }
 
   /** Gives the keyboard back to the window after a dialog, as a window manager would. */
-  private void focus() throws InterruptedException {
+  void focus() throws InterruptedException {
     await(
         "no dialog",
         () ->

@@ -62,7 +62,13 @@ final class Screenshots {
     screen.key(KeyEvent.VK_N);
     shoot("3-samples");
     screen.key(KeyEvent.VK_P);
-    Thread.sleep(4000);
+    screen.key(KeyEvent.VK_F1);
+    shoot("6-keys");
+    screen.key(KeyEvent.VK_ESCAPE);
+    screen.focus();
+    screen.key(KeyEvent.VK_M);
+    screen.await("the speed", () -> screen.text("measuring").equals("done"));
+    shoot("5-speed");
     screen.drop(screen.frame(), List.of(broken));
     screen.key(KeyEvent.VK_DOWN);
     screen.awaitStatus("rendering");

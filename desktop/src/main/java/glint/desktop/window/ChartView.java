@@ -61,8 +61,7 @@ final class ChartView extends JPanel {
     styler.setLegendFont(font);
     styler.setLegendBackgroundColor(back);
     styler.setLegendBorderColor(back);
-    styler.setLegendPosition(Styler.LegendPosition.OutsideS);
-    styler.setLegendLayout(Styler.LegendLayout.Horizontal);
+    styler.setLegendPosition(Styler.LegendPosition.InsideNE);
     styler.setChartTitleVisible(false);
     styler.setChartPadding(4);
     styler.setMarkerSize(5);

@@ -37,10 +37,11 @@ public final class GlintWindow {
   private final Notice notice = new Notice();
   private final Workers workers = new Workers();
   private final Problems problems = new Problems(this::edit);
-  private final SidePanel side = new SidePanel();
+  private final SidePanel side = new SidePanel(this::measures);
   private final Viewing viewing = new Viewing(this::show, workers);
   private final FileDialogs dialogs = new FileDialogs(frame);
   private final Remembered memory;
+  private final JScrollPane list = new JScrollPane();
   private final OpenFiles files;
   private final ImageCommands images;
   private final Editor editor;
@@ -94,7 +95,7 @@ public final class GlintWindow {
     addCommands(controls);
     controls.bar().add(Box.createHorizontalGlue());
     controls.bar().add(notice);
-    JScrollPane list = new JScrollPane(scenes);
+    list.setViewportView(scenes);
     list.setMinimumSize(new Dimension(120, 100));
     list.setPreferredSize(new Dimension(230, 100));
     JPanel centre = new JPanel(new BorderLayout());
@@ -137,6 +138,7 @@ public final class GlintWindow {
     controls.menu("Render");
     pause = controls.add("Pause", "SPACE", this::pauseOrGoOn);
     controls.add("Stop", "ESCAPE", stage::stop);
+    controls.item("Measure speed", "M", side::measure);
     controls.gap();
     controls.menu("View");
     controls.add("Fit", "F", view::fit);
@@ -147,7 +149,14 @@ public final class GlintWindow {
     images.addLooks(controls);
     controls.gap();
     controls.item("Light or dark", "D", this::changeTheme);
+    controls.item("Scenes", "F6", () -> list.setVisible(!list.isVisible()));
+    controls.item("About the render", "F7", () -> side.setVisible(!side.isVisible()));
     new CameraCommands(stage, notice).add(controls);
+    controls.menu("Help");
+    controls.item(
+        "Keys",
+        "F1, shift SLASH",
+        () -> new Shortcuts(frame, controls.commands()).setVisible(true));
   }
 
   private void open(List<Path> named) {
@@ -197,9 +206,15 @@ public final class GlintWindow {
     stage.pause(!paused);
   }
 
+  /** While something is measured, nothing else is done. */
+  private void measures(boolean now) {
+    thumbnails.allow(!now);
+  }
+
   /** Ends all threads but one, which writes what is remembered. */
   private void end() {
     stage.close();
+    side.end();
     thumbnails.end();
     workers.end();
     Thread last =

@@ -16,6 +16,8 @@ final class Keys {
           KeyEvent.VK_PLUS, "+",
           KeyEvent.VK_MINUS, "-",
           KeyEvent.VK_SLASH, "/",
+          KeyEvent.VK_COMMA, ",",
+          KeyEvent.VK_PERIOD, ".",
           KeyEvent.VK_ESCAPE, "Esc",
           KeyEvent.VK_PAGE_UP, "Page up",
           KeyEvent.VK_PAGE_DOWN, "Page down");

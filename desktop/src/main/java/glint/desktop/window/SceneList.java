@@ -42,6 +42,12 @@ final class SceneList extends JList<Picked> {
         });
   }
 
+  /** Keeps to the width that there is: a name that is longer ends in dots. */
+  @Override
+  public boolean getScrollableTracksViewportWidth() {
+    return true;
+  }
+
   /** Finds nothing: letters that are typed are keys of the window. */
   @Override
   public int getNextMatch(String prefix, int startIndex, Position.Bias bias) {

@@ -2,6 +2,7 @@ package glint.desktop.window;
 
 import java.awt.BorderLayout;
 import java.awt.Dimension;
+import java.util.function.Consumer;
 import javax.swing.BorderFactory;
 import javax.swing.JPanel;
 import javax.swing.JScrollPane;
@@ -14,9 +15,15 @@ final class SidePanel extends JTabbedPane {
 
   private final ErrorChart chart = new ErrorChart();
   private final LeftOut plan = new LeftOut();
+  private final SpeedPanel speed;
 
-  /** Makes an empty panel. */
-  SidePanel() {
+  /**
+   * Makes an empty panel.
+   *
+   * @param measures hears when speed is measured from now on, or no longer
+   */
+  SidePanel(Consumer<Boolean> measures) {
+    speed = new SpeedPanel(measures);
     setName("side");
     getAccessibleContext().setAccessibleName("About the render");
     setMinimumSize(new Dimension(0, 0));
@@ -29,11 +36,24 @@ final class SidePanel extends JTabbedPane {
     render.add(chart, BorderLayout.NORTH);
     render.add(scroll, BorderLayout.CENTER);
     addTab("Render", render);
+    addTab("Speed", speed);
   }
 
   /** Shows where a render stands. */
   void show(Snapshot s) {
     chart.show(s);
+    speed.show(s);
     s.findings().ifPresent(found -> plan.show(found.prepared().plan().decisions()));
+  }
+
+  /** Measures speed against error, or ends that. */
+  void measure() {
+    setSelectedComponent(speed);
+    speed.measureOrCancel();
+  }
+
+  /** Ends what runs. */
+  void end() {
+    speed.cancel();
   }
 }
