@@ -64,18 +64,20 @@ final class PictureView extends JComponent {
   }
 
   /**
-   * Shows a picture; if the size is another than before it is fitted.
+   * Shows a picture, a bound property; if the size is another than before it is fitted.
    *
    * @param full the columns and rows that it has, or is stretched to
    */
   void show(BufferedImage next, Dimension full) {
     boolean same = full.equals(size);
+    BufferedImage before = picture;
     picture = next;
     size = full;
     if (!same) {
       fit();
     }
     repaint();
+    firePropertyChange("picture", before, next);
   }
 
   /** Draws something more over the picture, last. */
