@@ -1,9 +1,13 @@
 package glint.bench;
 
+import glint.color.Transfer;
 import glint.desktop.window.Desk;
 import glint.desktop.window.GlintWindow;
+import glint.desktop.window.ImageStore;
 import glint.desktop.window.Picked;
 import glint.desktop.window.SceneSource;
+import glint.image.Image;
+import glint.render.Statistics;
 import glint.scene.Scene;
 import java.awt.Component;
 import java.awt.Container;
@@ -14,9 +18,11 @@ import java.awt.event.InputEvent;
 import java.awt.image.BufferedImage;
 import java.io.IOException;
 import java.io.UncheckedIOException;
+import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
 import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.LinkedBlockingQueue;
 import java.util.concurrent.TimeUnit;
@@ -53,7 +59,10 @@ final class WindowProbe {
           }
           return new SceneSource.Found(all, List.of(), Map.of());
         };
-    GlintWindow.open(List.of(Path.of("a")), new Desk(source, Map.of()));
+    Path folder = Files.createTempDirectory("glint-window");
+    Path state = folder.resolve("state");
+    GlintWindow.open(
+        List.of(Path.of("a")), new Desk(source, new NoImages(), state, folder, Map.of()));
     view = part("picture", Component.class);
     list = part("scenes", JList.class);
     JLabel status = part("status", JLabel.class);
@@ -129,6 +138,17 @@ final class WindowProbe {
     List<Shown> all = List.copyOf(shown);
     robot.mouseRelease(InputEvent.BUTTON1_DOWN_MASK);
     return all;
+  }
+
+  /** Neither writes nor reads. */
+  private static final class NoImages implements ImageStore {
+    @Override
+    public void write(Picked picked, Image image, Optional<Statistics> statistics, Path file) {}
+
+    @Override
+    public Image read(Path file, Transfer transfer) throws IOException {
+      throw new IOException("there are no images here");
+    }
   }
 
   private <C extends Component> C part(String name, Class<C> kind) {

@@ -44,7 +44,8 @@ public final class WindowTable {
   private static void print(String commit, String file, List<Scene> scenes) throws Exception {
     System.out.println(Machine.with(commit) + ", load " + Machine.load());
     System.out.println();
-    System.out.println("| scene | first picture, cold | warm | done | longest wait | moving | wait |");
+    System.out.println(
+        "| scene | first picture, cold | warm | done | longest wait | moving | wait |");
     System.out.println("|---|---|---|---|---|---|---|");
     WindowProbe probe = new WindowProbe(scenes);
     EventWaits waits = new EventWaits();

@@ -66,6 +66,7 @@ public final class GlintWindow {
 
   /** Opens a window with the scenes of files and returns it; not for the event thread. */
   public static GlintWindow open(List<Path> files, Desk desk) throws InterruptedException {
+    Warmup.start();
     GlintWindow[] made = new GlintWindow[1];
     Remembered memory = Remembered.read(desk.state());
     Theme theme = Theme.named(memory.word(THEME).orElse(""));

@@ -16,6 +16,7 @@ final class Marks {
   private final Map<Thread, Rectangle> inWork = new HashMap<>();
   private final List<Rectangle> finished = new ArrayList<>();
   private Optional<BufferedImage> before;
+  private boolean whole;
 
   /**
    * Marks nothing.
@@ -26,16 +27,29 @@ final class Marks {
     this.before = before;
   }
 
+  /** Shows another picture where nothing is finished, if it has more pixels than that before. */
+  synchronized void show(BufferedImage picture) {
+    if (before.isEmpty() || picture.getWidth() > before.get().getWidth()) {
+      before = Optional.of(picture);
+    }
+  }
+
+  /** Returns what is shown where nothing is finished. */
+  synchronized Optional<BufferedImage> before() {
+    return before;
+  }
+
   /** This thread begins with a part, and has finished the one before. */
   synchronized void begin(Rectangle part) {
     Rectangle last = inWork.put(Thread.currentThread(), part);
-    if (last != null && before.isPresent()) {
+    if (last != null && !whole) {
       finished.add(last);
     }
   }
 
   /** Every place is finished at least once. */
   synchronized void whole() {
+    whole = true;
     before = Optional.empty();
     finished.clear();
   }

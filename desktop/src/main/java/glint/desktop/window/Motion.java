@@ -1,9 +1,5 @@
 package glint.desktop.window;
 
-import glint.image.Image;
-import glint.render.Progress;
-import glint.render.RenderSettings;
-import glint.render.Renderer;
 import glint.scene.Camera;
 import glint.scene.Scene;
 import java.awt.image.BufferedImage;
@@ -84,15 +80,11 @@ final class Motion {
 
   private Frame frame(Camera camera) {
     long began = System.nanoTime();
-    int fewer = fewer();
-    int width = (world.scene().width() - 1) / fewer + 1;
-    int height = (world.scene().height() - 1) / fewer + 1;
-    Scene picture = world.scene().seenBy(camera, width, height);
-    RenderSettings settings = RenderSettings.of(picture).sampled(1, 0);
-    Image image = new Renderer(world.seenIn(picture), settings).render(Progress.NONE).image();
-    BufferedImage shown = Pictures.of(image, picture.transfer());
+    Scene scene = world.scene();
+    Scene picture = scene.seenBy(camera, scene.width(), scene.height());
+    BufferedImage shown = Glimpse.of(world, picture, fewer());
     double seconds = (System.nanoTime() - began) * 1e-9;
-    secondsPerPixel = seconds / ((double) width * height);
+    secondsPerPixel = seconds / ((double) shown.getWidth() * shown.getHeight());
     return new Frame(camera, shown, seconds);
   }
 

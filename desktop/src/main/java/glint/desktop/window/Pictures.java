@@ -23,6 +23,19 @@ final class Pictures {
     return of(image.toArgb(transfer), image.width(), image.height());
   }
 
+  /** Returns the picture of every n-th column and row of an image in linear light. */
+  static BufferedImage everyNth(Image image, int n, Transfer transfer) {
+    Image few = new Image((image.width() - 1) / n + 1, (image.height() - 1) / n + 1);
+    double[] rgb = image.rgb();
+    for (int y = 0; y < few.height(); y++) {
+      for (int x = 0; x < few.width(); x++) {
+        int at = 3 * n * (y * image.width() + x);
+        few.set(x, y, rgb[at], rgb[at + 1], rgb[at + 2]);
+      }
+    }
+    return of(few, transfer);
+  }
+
   /** Returns the left part of one picture beside the right part of another of the same size. */
   static BufferedImage beside(BufferedImage left, BufferedImage right, double part) {
     int width = left.getWidth();

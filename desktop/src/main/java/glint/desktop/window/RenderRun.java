@@ -29,6 +29,12 @@ final class RenderRun {
   /** The least time between two pictures. */
   private static final long PAUSE_MILLIS = 40;
 
+  /** The first look has so many times fewer columns and rows than the image. */
+  private static final int GLIMPSE = 16;
+
+  /** The first picture of a render has one colour for so many columns and rows. */
+  private static final int COARSE = 8;
+
   /** Pictures take at most one of so many parts of a thread's time. */
   private static final int SHARE = 5;
 
@@ -36,6 +42,7 @@ final class RenderRun {
   private final Scene scene;
   private final RenderSettings settings;
   private final Marks marks;
+  private final Outlook outlook;
   private final Consumer<Snapshot> listener;
   private final Clock clock = new Clock();
   private final Object change = new Object();
@@ -63,6 +70,7 @@ final class RenderRun {
     RenderSettings plain = RenderSettings.of(scene);
     settings = plain.aiming(plain.goal(), plain.seed(), Set.of(Aov.ERROR, Aov.SAMPLES));
     marks = new Marks(before);
+    outlook = new Outlook(((Goal.Error) settings.goal()).levels());
   }
 
   /** Begins. */
@@ -97,6 +105,12 @@ final class RenderRun {
   private void render() {
     try {
       prepared = world.seenIn(scene);
+      if (marks.before().isEmpty()) {
+        marks.show(Glimpse.of(world, scene, GLIMPSE));
+        synchronized (change) {
+          changed();
+        }
+      }
       Renderer next = new Renderer(prepared, settings);
       if (begin(next)) {
         Statistics all = next.render(new Listener()).statistics();
@@ -150,6 +164,7 @@ final class RenderRun {
   private final class Listener implements Progress {
     @Override
     public void tileDone(int done, int total, long traced) {
+      outlook.tiles((double) done / total, clock.seconds());
       synchronized (change) {
         rays = traced;
       }
@@ -164,6 +179,9 @@ final class RenderRun {
     public void pictureImproved(double claimed, long traced) {
       if (claimed < Double.POSITIVE_INFINITY) {
         marks.whole();
+        outlook.error(claimed, clock.seconds());
+      } else {
+        marks.show(Pictures.everyNth(renderer.image(), COARSE, scene.transfer()));
       }
       synchronized (change) {
         rays = traced;
@@ -218,23 +236,19 @@ final class RenderRun {
       claimed = error;
       reason = message;
     }
+    double seconds = clock.seconds();
     return new Snapshot(
         told,
-        Optional.ofNullable(image).map(this::picture),
+        image == null ? marks.before() : Optional.of(picture(image)),
         Optional.ofNullable(image),
-        told == State.DONE ? 1 : part(claimed),
+        told == State.DONE ? 1 : outlook.done(seconds),
+        outlook.left(seconds),
         traced,
-        clock.seconds(),
+        seconds,
         claimed,
         Optional.ofNullable(findings),
         told.isOver() ? List.of() : marks.inWork(),
         reason);
-  }
-
-  /** Returns the part of the work that has led to an error, which falls as its square root. */
-  private double part(double claimed) {
-    double target = ((Goal.Error) settings.goal()).levels();
-    return Math.min(1, target / claimed * (target / claimed));
   }
 
   private BufferedImage picture(Image image) {
