@@ -1,0 +1,6 @@
+package glint.android.apk;
+
+/** Placeholder. */
+final class Timing {
+  private Timing() {}
+}
