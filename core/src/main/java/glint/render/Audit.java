@@ -12,6 +12,9 @@ final class Audit {
   private static final int BESIDE = 24;
   private static final int ALONE = 96;
 
+  /** In an image of more pixels than so many, they are audited as its square root. */
+  private static final double ALL = 20_000;
+
   /** Samples of an audit that has found something, as a power of two. */
   private static final int SECOND_LOOK = 4;
 
@@ -23,13 +26,15 @@ final class Audit {
   private final LevelScale scale;
   private final Sampling sampling;
   private final long seed;
+  private final double rarer;
 
   Audit(Film film, ErrorModel model, LevelScale scale, Sampling sampling, long seed) {
     this.film = film;
     this.model = model;
     this.scale = scale;
     this.sampling = sampling;
-    this.seed = seed;
+    this.seed = SobolSampler.mix(seed);
+    rarer = Math.max(1, Math.sqrt(film.kind.length / ALL));
   }
 
   /** Audits; another number chooses other pixels. */
@@ -68,8 +73,9 @@ final class Audit {
   }
 
   private boolean isChosen(int pixel, int number) {
-    int every = film.surroundings[pixel] > 0 ? BESIDE : ALONE;
-    long hash = SobolSampler.mix(SobolSampler.mix(number + 1) ^ SobolSampler.mix(seed) ^ pixel);
-    return Long.remainderUnsigned(hash, film.kind[pixel] == Film.SPLIT ? SPLIT : every) == 0;
+    int beside = film.surroundings[pixel] > 0 ? BESIDE : ALONE;
+    int every = (int) (rarer * (film.kind[pixel] == Film.SPLIT ? SPLIT : beside));
+    long hash = SobolSampler.mix(seed ^ ((long) number << 32 | pixel));
+    return Long.remainderUnsigned(hash, every) == 0;
   }
 }

@@ -1,6 +1,7 @@
 package glint.render;
 
 import glint.image.Image;
+import java.util.Arrays;
 
 /**
  * One sample at every corner of every pixel, shared by the up to four pixels that meet there.
@@ -118,25 +119,39 @@ final class CornerGrid {
   }
 
   /**
-   * Returns the variance, in levels² and the mean over channels, of the up to 16 corners of a pixel
-   * and its neighbours.
+   * Finds, for a row of pixels, the variance, in levels² and the mean over channels, of the up to
+   * 16 corners of each pixel and its neighbours.
+   *
+   * @param scratch six numbers for every column of corners
+   * @param out where the variances are stored, by pixel
    */
-  double contrast(int x, int y) {
-    double variance = 0;
-    for (int channel = 0; channel < 3; channel++) {
-      double sum = 0;
-      double squares = 0;
-      int count = 0;
-      for (int row = Math.max(0, y - 1); row <= Math.min(rows - 1, y + 2); row++) {
-        for (int column = Math.max(0, x - 1); column <= Math.min(stride - 1, x + 2); column++) {
-          double level = levels[3 * (row * stride + column) + channel];
-          sum += level;
-          squares += level * level;
-          count++;
-        }
+  void contrasts(int y, double[] scratch, float[] out) {
+    int channels = 3 * stride;
+    int first = Math.max(0, y - 1);
+    int last = Math.min(rows - 1, y + 2);
+    Arrays.fill(scratch, 0);
+    for (int row = first; row <= last; row++) {
+      for (int i = 0, from = row * channels; i < channels; i++) {
+        double level = levels[from + i];
+        scratch[i] += level;
+        scratch[channels + i] += level * level;
       }
-      variance += Math.max(0, squares / count - sum / count * (sum / count));
     }
-    return variance / 3;
+    for (int x = 0; x < stride - 1; x++) {
+      int left = Math.max(0, x - 1);
+      int right = Math.min(stride - 1, x + 2);
+      int count = (right - left + 1) * (last - first + 1);
+      double variance = 0;
+      for (int channel = 0; channel < 3; channel++) {
+        double sum = 0;
+        double squares = 0;
+        for (int i = 3 * left + channel; i <= 3 * right + channel; i += 3) {
+          sum += scratch[i];
+          squares += scratch[channels + i];
+        }
+        variance += Math.max(0, squares / count - sum / count * (sum / count));
+      }
+      out[y * (stride - 1) + x] = (float) (variance / 3);
+    }
   }
 }

@@ -18,6 +18,9 @@ import java.util.Arrays;
  */
 final class ErrorModel {
 
+  /** Claims are so many times what models expect of the error; found on many scenes. */
+  static final double CALIBRATION = 1.2;
+
   /** V(n/2) over V(n) at edges, less one. */
   private static final double FALL = 2 * Math.sqrt(2) - 1;
 

@@ -13,6 +13,9 @@ final class LevelScale {
   /** Steps of the table, even in the square root of the linear value. */
   private static final int STEPS = 1024;
 
+  /** An error that is this share of a value, or less, is so small that the curve is straight. */
+  private static final double SMALL = 0x1p-6;
+
   private static final Map<Transfer, LevelScale> SCALES = new EnumMap<>(Transfer.class);
 
   static {
@@ -54,14 +57,21 @@ final class LevelScale {
       return 0;
     }
     int i = Math.max(1, (int) (STEPS * Math.sqrt(Math.max(linear, 0))));
-    double step = (2.0 * i - 1) / STEPS / STEPS;
-    return more * (levels[i] - levels[i - 1]) / step;
+    return more * slope(i - 1);
   }
 
   /** Returns the square, in levels², of an error of a linear value, half to either side of it. */
   double squaredError(double linear, double error) {
-    double half = 0.5 * (level(linear + error) - level(linear - error));
+    double half =
+        Math.abs(error) < SMALL * linear && linear < 1 - SMALL
+            ? error * slope((int) (STEPS * Math.sqrt(linear)))
+            : 0.5 * (level(linear + error) - level(linear - error));
     return half * half;
+  }
+
+  /** Returns how steep the curve is between a step and the next. */
+  private double slope(int step) {
+    return (levels[step + 1] - levels[step]) / ((2.0 * step + 1) / STEPS / STEPS);
   }
 
   /** Returns the square of the difference of two linear values, in levels². */

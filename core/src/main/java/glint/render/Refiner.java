@@ -30,6 +30,7 @@ final class Refiner {
   private final double[] before = new double[3];
   private final double[] mean = new double[3];
   private final double[] bends = new double[3];
+  private final double[] scratch;
 
   final Probe probe;
   final Aim aim;
@@ -41,11 +42,19 @@ final class Refiner {
     this.scale = scale;
     this.probe = probe;
     split = new Split(corners, sides);
+    scratch = new double[6 * corners.stride];
     aim = new Aim(corners, scale, probe);
   }
 
-  /** Decides what kind of pixel this is by its corners. */
-  void classify(int x, int y) {
+  /** Decides what kind the pixels of a row are by their corners. */
+  void classify(int y) {
+    corners.contrasts(y, scratch, film.contrast);
+    for (int x = 0; x < film.width; x++) {
+      classify(x, y);
+    }
+  }
+
+  private void classify(int x, int y) {
     long[] met = corners.signature;
     int a = y * corners.stride + x;
     int c = a + corners.stride;
@@ -56,7 +65,6 @@ final class Refiner {
     crossings += met[a + 1] != met[c + 1] ? 1 : 0;
     int pixel = y * film.width + x;
     film.kind[pixel] = crossings == 0 ? Film.SMOOTH : crossings == 2 ? Film.SPLIT : Film.BUSY;
-    film.contrast[pixel] = (float) corners.contrast(x, y);
     // Of an image that shows no contrast, audits tell whether there is none.
     boolean detailed = film.contrast[pixel] > VISIBLE && corners.leapsOverDetail(x, y);
     film.random[pixel] = corners.isRandom(x, y);

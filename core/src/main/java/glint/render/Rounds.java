@@ -11,13 +11,10 @@ import java.util.Map;
  */
 final class Rounds {
 
-  /** By how much the true error may be above the estimates of the model; found on many scenes. */
-  private static final double CALIBRATION = 1.25;
-
   /** Rounds after which the models are audited at the latest. */
   private static final int EARLY_ROUNDS = 4;
 
-  /** Audits of an image: what is learned at first may no longer hold at the end. */
+  /** Audits of an image at most: what is learned at first may no longer hold at the end. */
   private static final int AUDITS = 2;
 
   /** The most samples of a pixel, as a power of two. */
@@ -76,6 +73,7 @@ final class Rounds {
     begin();
     sampleBusy();
     int audits = 0;
+    boolean audited = false;
     for (int round = 0; ; round++) {
       boolean learned = sides.learn();
       if (round == 0) {
@@ -87,8 +85,10 @@ final class Rounds {
       double error = error(allocation.total());
       done.whole(crew.workers(), error);
       boolean reached = error <= levels;
-      if (audits < AUDITS && (reached || (audits == 0 && round == EARLY_ROUNDS))) {
+      boolean due = reached || (audits == 0 && round == EARLY_ROUNDS);
+      if (due && !audited && audits < AUDITS) {
         audit.run(audits++);
+        audited = true;
         allocation.wake();
         continue;
       }
@@ -98,26 +98,27 @@ final class Rounds {
       if (reached || late || !refine()) {
         return error;
       }
+      audited = false;
     }
   }
 
   /** Returns the error that is claimed for a variance of all pixels together. */
   private double error(double variance) {
-    return CALIBRATION * Math.sqrt(variance / film.kind.length);
+    return ErrorModel.CALIBRATION * Math.sqrt(variance / film.kind.length);
   }
 
   private double variance(double error) {
-    return error / CALIBRATION * (error / CALIBRATION) * film.kind.length;
+    return error / ErrorModel.CALIBRATION * (error / ErrorModel.CALIBRATION) * film.kind.length;
   }
 
   /** Returns the error that is claimed for a pixel, in levels. */
   double error(int pixel) {
-    return CALIBRATION * Math.sqrt(model.variance(pixel));
+    return ErrorModel.CALIBRATION * Math.sqrt(model.variance(pixel));
   }
 
   private void begin() throws InterruptedException {
     new CornerPass(film, corners, scale, tiles, done).run(crew);
-    crew.run(tiles.count(), (refiner, i) -> tiles.forEach(i, refiner::classify));
+    crew.run(film.height, Refiner::classify);
     aim();
     do {
       crew.run(tiles.count(), (refiner, i) -> tiles.forEach(i, refiner::survey));

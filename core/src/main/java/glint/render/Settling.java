@@ -39,9 +39,6 @@ final class Settling {
   /** The variance of a second difference's square: half a twelfth. */
   private static final double STEP = 1 / 24.0;
 
-  /** By how much the true error may be above all this; found on many scenes. */
-  private static final double CALIBRATION = 1.2;
-
   /** A sum exceeds its mean by so many standard deviations in 5 % of cases. */
   private static final double HARDLY = 1.65;
 
@@ -147,7 +144,9 @@ final class Settling {
         count++;
       }
     }
-    return count == 0 ? 0 : CALIBRATION * Math.sqrt((sum + HARDLY * Math.sqrt(squares)) / count);
+    return count == 0
+        ? 0
+        : ErrorModel.CALIBRATION * Math.sqrt((sum + HARDLY * Math.sqrt(squares)) / count);
   }
 
   /** Returns the error that is claimed for a pixel, in levels: what it and its neighbours tell. */
@@ -161,7 +160,7 @@ final class Settling {
         count++;
       }
     }
-    return CALIBRATION * Math.sqrt(sum / count);
+    return ErrorModel.CALIBRATION * Math.sqrt(sum / count);
   }
 
   /**

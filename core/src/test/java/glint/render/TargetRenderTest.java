@@ -34,8 +34,11 @@ class TargetRenderTest {
 
   @Test
   void aPlainImageTakesOneRayAPixelAndIsClaimedToBeExact() {
-    Scene scene = view(SIZE).background(Background.constant(Rgb.grey(0.3))).build();
-    RenderResult result = render(scene, 1, 0, 2, 8);
+    int size = 4 * SIZE; // enough for audits to tell that nothing is hidden
+    Scene scene = view(size).background(Background.constant(Rgb.grey(0.3))).build();
+    RenderSettings settings =
+        new RenderSettings(size, size, new Goal.Error(1), 0, OptionalInt.empty(), 2, 8, Set.of());
+    RenderResult result = new Renderer(Prepared.of(scene), settings).render(Progress.NONE);
     Statistics s = result.statistics();
     assertEquals(0, s.samplingError());
     assertEquals(1, s.minSamples());
