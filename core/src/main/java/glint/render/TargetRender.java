@@ -111,6 +111,11 @@ final class TargetRender implements Method {
     }
 
     @Override
+    public void begun(int x, int y, int endX, int endY) {
+      progress.begun(x, y, endX, endY);
+    }
+
+    @Override
     public void pictureImproved(double error, long rays) {
       if (error < Double.POSITIVE_INFINITY) {
         fill();

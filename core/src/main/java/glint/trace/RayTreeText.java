@@ -61,6 +61,13 @@ public final class RayTreeText {
     return text.lines;
   }
 
+  /** Returns what tells of one ray of a tree, without those that came of it. */
+  public static List<String> ofRay(Prepared scene, RayTree ray) {
+    RayTreeText text = new RayTreeText(scene);
+    text.ray(ray);
+    return text.lines;
+  }
+
   private void ray(RayTree ray) {
     boolean camera = ray.parent() == 0;
     line(

@@ -144,7 +144,8 @@ class PicturesOnTheWayTest {
   @Test
   void everyPartOfTheImageIsToldOfWhenItIsBegun() {
     RenderSettings toError = settings(75, 41);
-    for (RenderSettings settings : List.of(toError, toError.sampled(2, 0))) {
+    RenderSettings mapped = toError.aiming(toError.goal(), 0, Set.of(Aov.ERROR));
+    for (RenderSettings settings : List.of(toError, mapped, toError.sampled(2, 0))) {
       List<int[]> parts = Collections.synchronizedList(new ArrayList<>());
       new Renderer(Prepared.of(SCENE), settings)
           .render(

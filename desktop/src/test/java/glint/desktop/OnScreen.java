@@ -186,7 +186,12 @@ final class OnScreen implements AutoCloseable {
 
   /** Clicks on the middle of a part. */
   void click(Component part) {
-    moveTo(part, part.getWidth() / 2, part.getHeight() / 2);
+    click(part, part.getWidth() / 2, part.getHeight() / 2);
+  }
+
+  /** Clicks on a place in a part. */
+  void click(Component part, int x, int y) {
+    moveTo(part, x, y);
     robot.mousePress(InputEvent.BUTTON1_DOWN_MASK);
     robot.mouseRelease(InputEvent.BUTTON1_DOWN_MASK);
     robot.waitForIdle();

@@ -38,6 +38,7 @@ public final class GlintWindow {
   private final Workers workers = new Workers();
   private final Problems problems = new Problems(this::edit);
   private final SidePanel side = new SidePanel(this::measures);
+  private final RayInspector rays = new RayInspector(stage, view, side);
   private final Viewing viewing = new Viewing(this::show, workers);
   private final FileDialogs dialogs = new FileDialogs(frame);
   private final Remembered memory;
@@ -91,7 +92,7 @@ public final class GlintWindow {
 
   private void lay() {
     view.add(marks);
-    new Hand(view, stage, pixel -> {}, stage::aim);
+    new Hand(view, stage, rays::clicked, rays::doubleClicked);
     Controls controls = new Controls(frame.getRootPane());
     addCommands(controls);
     controls.bar().add(Box.createHorizontalGlue());
@@ -153,6 +154,8 @@ public final class GlintWindow {
     controls.item("Scenes", "F6", () -> list.setVisible(!list.isVisible()));
     controls.item("About the render", "F7", () -> side.setVisible(!side.isVisible()));
     new CameraCommands(stage, notice).add(controls);
+    controls.gap();
+    rays.add(controls);
     controls.menu("Help");
     controls.item(
         "Keys",
@@ -182,12 +185,16 @@ public final class GlintWindow {
     viewing.begin(next);
     frame.setTitle(next.scene().name() + " - Glint");
     size = new Dimension(next.scene().width(), next.scene().height());
+    rays.clear();
     stage.show(next);
   }
 
   private void show(Snapshot snapshot) {
     thumbnails.allow(snapshot.state().isOver());
     boolean moving = snapshot.state() == Snapshot.State.MOVING;
+    if (moving) {
+      rays.clear();
+    }
     marks.mark(snapshot.inWork());
     viewing.show(snapshot);
     side.show(snapshot);

@@ -14,6 +14,9 @@ final class Outlook {
   /** The error falls as some power of the time: this one, as long as nothing is known of it. */
   private static final double POWER = 1;
 
+  /** A guess never says that more than this part is done. */
+  private static final double ALMOST = 0.95;
+
   private static final double LEAST_POWER = 0.5;
   private static final double GREATEST_POWER = 2;
 
@@ -51,7 +54,7 @@ final class Outlook {
 
   /** Returns the part of the work that is done after so many seconds; never less than before. */
   synchronized double done(double seconds) {
-    done = Math.max(done, Math.min(1, seconds / total));
+    done = Math.max(done, Math.min(ALMOST, seconds / total));
     return done;
   }
 

@@ -34,22 +34,22 @@ record Snapshot(
     List<Rectangle> inWork,
     String message) {
 
+  /** Returns that nothing is known yet. */
+  static Snapshot preparing() {
+    return plain(State.PREPARING, Optional.empty(), 0);
+  }
+
   /** Returns a picture on the way of the camera. */
   static Snapshot moving(Motion.Frame frame) {
-    Optional<BufferedImage> picture = Optional.of(frame.picture());
+    return plain(State.MOVING, Optional.of(frame.picture()), frame.seconds());
+  }
+
+  private static Snapshot plain(State state, Optional<BufferedImage> picture, double seconds) {
     double unknown = Double.POSITIVE_INFINITY;
+    Optional<Image> linear = Optional.empty();
+    Optional<Findings> findings = Optional.empty();
     return new Snapshot(
-        State.MOVING,
-        picture,
-        Optional.empty(),
-        0,
-        unknown,
-        0,
-        frame.seconds(),
-        unknown,
-        Optional.empty(),
-        List.of(),
-        "");
+        state, picture, linear, 0, unknown, 0, seconds, unknown, findings, List.of(), "");
   }
 
   /** Where a render stands. */

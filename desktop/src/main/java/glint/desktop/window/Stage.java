@@ -5,6 +5,7 @@ import glint.render.RenderSettings;
 import glint.render.Replay;
 import glint.scene.Camera;
 import glint.scene.Handheld;
+import glint.scene.Prepared;
 import glint.scene.Scene;
 import glint.trace.RayTree;
 import java.awt.Point;
@@ -89,28 +90,31 @@ final class Stage {
 
   /** Makes what a pixel shows the camera's target, soon. */
   void aim(Point pixel) {
-    Camera from = camera;
     look(
         pixel,
-        sample -> {
-          Optional<RayTree.Meeting> met = sample.tree().met();
-          if (met.isPresent() && camera.equals(from)) {
-            move(held -> held.aimed(met.get().point()));
-          }
+        rays -> {
+          Optional<RayTree.Meeting> met = rays.sample().tree().met();
+          met.ifPresent(it -> move(held -> held.aimed(it.point())));
         });
   }
 
-  /** Traces the ray through the middle of a pixel, on a thread of its own. */
-  private void look(Point pixel, Consumer<Replay.Sample> heard) {
+  /** Traces the ray through the middle of a pixel; not heard of if the camera moves meanwhile. */
+  void look(Point pixel, Consumer<PixelRays> heard) {
     Scene picture = picture();
     World own = world;
+    Camera by = camera;
     Thread thread =
         new Thread(
             () -> {
+              Prepared scene = own.seenIn(picture);
               RenderSettings one = RenderSettings.of(picture).sampled(1, 0);
-              Replay replay = new Replay(own.seenIn(picture), one, pixel.x, pixel.y);
-              Replay.Sample sample = replay.sample(0);
-              SwingUtilities.invokeLater(() -> heard.accept(sample));
+              Replay.Sample sample = new Replay(scene, one, pixel.x, pixel.y).sample(0);
+              SwingUtilities.invokeLater(
+                  () -> {
+                    if (world.equals(own) && camera.equals(by)) {
+                      heard.accept(new PixelRays(scene, pixel, sample));
+                    }
+                  });
             },
             "glint-window-look");
     thread.setDaemon(true);
@@ -171,6 +175,7 @@ final class Stage {
             });
     next[0] = new RenderRun(world, picture(), before, latest);
     run = next[0];
+    listener.accept(Snapshot.preparing());
     run.start();
   }
 

@@ -29,7 +29,7 @@ class OutlookTest {
     assertEquals(48, outlook.left(16), 1e-9);
     outlook.error(0.9, 70);
     assertEquals(0, outlook.left(70), 1e-9);
-    assertEquals(1, outlook.done(70));
+    assertEquals(0.95, outlook.done(70));
   }
 
   @Test
