@@ -78,6 +78,10 @@ final class OnScreen implements AutoCloseable {
     return frame;
   }
 
+  Robot robot() {
+    return robot;
+  }
+
   /** Returns the part of the window with a name. */
   <C extends Component> C part(String name, Class<C> kind) {
     return kind.cast(on(() -> find(frame, name)));

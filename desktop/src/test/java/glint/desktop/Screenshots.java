@@ -1,5 +1,6 @@
 package glint.desktop;
 
+import glint.desktop.window.Picked;
 import glint.desktop.window.SceneSource;
 import java.awt.event.KeyEvent;
 import java.io.IOException;
@@ -9,6 +10,8 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
 import javax.imageio.ImageIO;
+import javax.swing.JComponent;
+import javax.swing.JList;
 
 /** Takes pictures of the window in all its states, for people to look at. */
 final class Screenshots {
@@ -41,38 +44,96 @@ final class Screenshots {
               - sphere: {center: [0, 1, 0], radios: 1}
               - plane: {point: [0, 0, 0], normal: [0, 0, 0]}
         """);
+    Path rough = Files.createTempDirectory("glint");
+    Path gallery = SCENES.resolve("gallery.yaml");
+    Run.of("render", gallery, "--scene", "glass-still-life", "--samples", "1", "--out", rough);
     for (String theme : List.of("light", "dark")) {
-      Path gallery = SCENES.resolve("gallery.yaml");
       try (OnScreen screen = new OnScreen(List.of(gallery), SOURCE)) {
         screen.awaitStatus("rendering");
         if (theme.equals("dark")) {
           screen.key(KeyEvent.VK_D);
         }
-        new Screenshots(folder, theme + "-" + arguments[1], screen).take(broken);
+        Screenshots shots = new Screenshots(folder, theme + "-" + arguments[1], screen);
+        shots.render();
+        shots.look(rough.resolve("glass-still-life.png"));
+        shots.edit(broken);
       }
     }
     System.exit(0);
   }
 
-  private void take(Path broken) throws Exception {
+  /** A render on its way, paused, done; what is known of it. */
+  private void render() throws Exception {
+    Thread.sleep(10_000); // the first small pictures are made
+    pick("checkmate");
+    screen.await("an error", () -> screen.text("status").contains("error"));
+    screen.key(KeyEvent.VK_SPACE);
+    screen.awaitStatus("paused");
+    shoot("01-paused");
+    screen.key(KeyEvent.VK_SPACE);
+    shoot("02-rendering");
     screen.awaitStatus("done");
-    shoot("1-picture");
-    screen.key(KeyEvent.VK_E);
-    shoot("2-error");
-    screen.key(KeyEvent.VK_N);
-    shoot("3-samples");
-    screen.key(KeyEvent.VK_P);
-    screen.key(KeyEvent.VK_F1);
-    shoot("6-keys");
-    screen.key(KeyEvent.VK_ESCAPE);
-    screen.focus();
+    shoot("03-done");
+    pick("mirror-trio");
+    screen.awaitStatus("done");
     screen.key(KeyEvent.VK_M);
     screen.await("the speed", () -> screen.text("measuring").equals("done"));
-    shoot("5-speed");
+    shoot("04-speed");
+  }
+
+  /** The other looks of an image. */
+  private void look(Path other) throws Exception {
+    pick("glass-still-life");
+    screen.awaitStatus("done");
+    screen.key(KeyEvent.VK_E);
+    shoot("05-error");
+    screen.key(KeyEvent.VK_N);
+    shoot("06-samples");
+    screen.key(KeyEvent.VK_B);
+    screen.choose(other);
+    screen.await("a measure", () -> screen.text("metrics").startsWith("RMSE"));
+    shoot("07-split");
+    screen.key(KeyEvent.VK_X);
+    Thread.sleep(2000);
+    shoot("08-difference");
+    screen.key(KeyEvent.VK_P);
+  }
+
+  /** A broken file; all keys; a menu; a window with little room. */
+  private void edit(Path broken) throws Exception {
     screen.drop(screen.frame(), List.of(broken));
-    screen.key(KeyEvent.VK_DOWN);
-    screen.awaitStatus("rendering");
-    shoot("4-problems");
+    screen.await("a problem", screen.part("problems", JComponent.class)::isShowing);
+    shoot("09-problems");
+    screen.key(KeyEvent.VK_F1);
+    shoot("10-keys");
+    screen.key(KeyEvent.VK_ESCAPE);
+    screen.focus();
+    screen.click(screen.frame().getJMenuBar().getMenu(0));
+    shoot("11-menu");
+    screen.key(KeyEvent.VK_ESCAPE);
+    OnScreen.on(
+        () -> {
+          screen.frame().setSize(800, 500);
+          screen.frame().validate();
+          return null;
+        });
+    shoot("12-small");
+  }
+
+  private void pick(String name) throws InterruptedException {
+    JList<?> list = screen.part("scenes", JList.class);
+    OnScreen.on(
+        () -> {
+          for (int i = 0; i < list.getModel().getSize(); i++) {
+            Picked each = (Picked) list.getModel().getElementAt(i);
+            if (each.scene().name().equals(name)) {
+              list.setSelectedIndex(i);
+            }
+          }
+          return null;
+        });
+    screen.await(name, () -> screen.frame().getTitle().startsWith(name));
+    screen.await("its render", () -> !screen.text("status").startsWith("done"));
   }
 
   private void shoot(String state) throws IOException, InterruptedException {

@@ -27,6 +27,8 @@ final class Controls {
   private final List<Command> commands = new ArrayList<>();
   private final JRootPane root;
   private JMenu menu;
+  private boolean menuGap;
+  private boolean barGap;
 
   /**
    * One thing to do; immutable.
@@ -48,6 +50,7 @@ final class Controls {
     menu = new JMenu(name);
     menu.setMnemonic(name.charAt(0));
     menus.add(menu);
+    menuGap = false;
     return menu;
   }
 
@@ -71,12 +74,10 @@ final class Controls {
     group.add(button(new JToggleButton(action), text, keys));
   }
 
-  /** Parts what was added from what follows. */
+  /** Parts what was added from what follows, in the menu and among the buttons. */
   void gap() {
-    menu.addSeparator();
-    if (!(bar.getComponent(bar.getComponentCount() - 1) instanceof JToolBar.Separator)) {
-      bar.addSeparator();
-    }
+    menuGap = true;
+    barGap = true;
   }
 
   /** Returns all that was added, in order. */
@@ -89,6 +90,10 @@ final class Controls {
   }
 
   private Action action(String text, String keys, Runnable work) {
+    if (menuGap) {
+      menu.addSeparator();
+      menuGap = false;
+    }
     Action action =
         new AbstractAction(text) {
           private static final long serialVersionUID = 1;
@@ -119,6 +124,10 @@ final class Controls {
     button.setFocusable(false);
     button.setMargin(new Insets(4, 8, 4, 8));
     button.setToolTipText(text + " (" + Keys.words(Keys.of(keys).get(0)) + ")");
+    if (barGap) {
+      bar.addSeparator();
+      barGap = false;
+    }
     bar.add(button);
     return button;
   }

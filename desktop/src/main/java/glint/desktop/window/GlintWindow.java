@@ -207,7 +207,9 @@ public final class GlintWindow {
   }
 
   private void show(BufferedImage picture) {
-    view.show(picture, size);
+    if (size != null) {
+      view.show(picture, size);
+    }
   }
 
   private void pauseOrGoOn() {
@@ -221,7 +223,9 @@ public final class GlintWindow {
 
   /** Ends all threads but one, which writes what is remembered. */
   private void end() {
-    stage.close();
+    stage.end();
+    viewing.end();
+    linear = null;
     side.end();
     thumbnails.end();
     workers.end();

@@ -54,6 +54,6 @@ final class SidePanel extends JTabbedPane {
 
   /** Ends what runs. */
   void end() {
-    speed.cancel();
+    speed.end();
   }
 }

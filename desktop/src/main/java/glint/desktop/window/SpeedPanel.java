@@ -64,13 +64,13 @@ final class SpeedPanel extends JPanel {
     if (!over) {
       cancel();
     }
-    if (over && next != prepared) {
+    if (next != null && next != prepared) {
+      prepared = next;
       charts.removeAll();
       words.setText("");
       state.setText(HINT);
       charts.revalidate();
     }
-    prepared = over ? next : prepared;
     button.setEnabled(over);
   }
 
@@ -92,12 +92,17 @@ final class SpeedPanel extends JPanel {
     }
   }
 
-  /** Ends what is being measured. */
-  void cancel() {
+  private void cancel() {
     if (run != null) {
       run.cancel();
       end("cancelled");
     }
+  }
+
+  /** Ends what runs and forgets the scene. */
+  void end() {
+    cancel();
+    prepared = null;
   }
 
   private void end(String how) {

@@ -203,4 +203,13 @@ final class Stage {
       frame = null;
     }
   }
+
+  /** Ends all that runs and forgets it: whoever still knows the window keeps no image. */
+  void end() {
+    close();
+    picked = null;
+    world = null;
+    camera = null;
+    run = null;
+  }
 }

@@ -57,6 +57,13 @@ final class Viewing {
     snapshot = null;
   }
 
+  /** Nothing follows. */
+  void end() {
+    begin(null);
+    other = null;
+    view.accept(null);
+  }
+
   /** Returns which scene is seen. */
   Optional<Picked> picked() {
     return Optional.ofNullable(picked);

@@ -19,16 +19,16 @@ final class Workers {
   private final ScheduledExecutorService clock =
       Executors.newSingleThreadScheduledExecutor(factory);
   private final ExecutorService disk = Executors.newSingleThreadExecutor(factory);
-  private final ExecutorService brain = Executors.newSingleThreadExecutor(factory);
+  private final ExecutorService brains = Executors.newFixedThreadPool(2, factory);
 
   /** Reads or writes soon, after what was asked for before; does nothing when all is ended. */
   void disk(Runnable work) {
     run(disk, work);
   }
 
-  /** Computes something soon, after what was asked for before; nothing when all is ended. */
+  /** Computes something soon; nothing when all is ended. */
   void compute(Runnable work) {
-    run(brain, work);
+    run(brains, work);
   }
 
   private static void run(ExecutorService line, Runnable work) {
@@ -48,6 +48,6 @@ final class Workers {
   void end() {
     clock.shutdownNow();
     disk.shutdown();
-    brain.shutdownNow();
+    brains.shutdown();
   }
 }
