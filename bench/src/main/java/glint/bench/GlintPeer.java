@@ -48,7 +48,7 @@ final class GlintPeer implements Peer {
 
   @Override
   public List<String> settings() {
-    return List.of("target 4", "target 2", "target 1", "target 0.5");
+    return List.of("target 4", "target 2", "target 1", "target 0.5", "target 0.25");
   }
 
   @Override
