@@ -130,7 +130,7 @@ final class Refiner {
     if (film.kind[pixel] == Film.SPLIT) {
       if (split.look(x, y) && split.agrees(film.middleAsCorner[pixel])) {
         film.image.set(x, y, split.mean(0), split.mean(1), split.mean(2));
-        film.doubt[pixel] = (float) split.doubt(scale);
+        film.doubt[pixel] = (float) (split.doubt(scale) + curvature(x, y));
         film.own[pixel] = (float) split.variance(scale) + film.doubt[pixel];
         return;
       }
@@ -161,16 +161,17 @@ final class Refiner {
     double sum = 0;
     for (int channel = 0; channel < 3; channel++) {
       if (bends[channel] > 0) {
-        sum += scale.squaredError(corners.mean(x, y, channel), bends[channel] / 24);
+        double mean = film.image.rgb()[3 * (y * film.width + x) + channel];
+        sum += scale.squaredError(mean, bends[channel] / 24);
       }
     }
     return sum / 3;
   }
 
   /**
-   * Adds to {@link #bends} the second difference along a side, without its sign: the mean of those
-   * that its two neighbours give as far as they show the same signature; where none does, the
-   * difference of its ends.
+   * Adds to {@link #bends} the second difference along a side that no edge crosses, without its
+   * sign: the mean of those that its two neighbours give as far as they show the same signature;
+   * where none does, the difference of its ends.
    *
    * <p>Where the two disagree there is a step rather than a bend, no one knows where along the
    * side: it is worth the standard deviation of a place even in a range, 1/√12, in twelfths.
@@ -178,6 +179,9 @@ final class Refiner {
   private void bend(int corner, int step, int at, int count) {
     double[] rgb = corners.rgb;
     long[] met = corners.signature;
+    if (met[corner] != met[corner + step]) {
+      return;
+    }
     boolean before = at > 0 && met[corner - step] == met[corner];
     boolean after = at + 2 < count && met[corner + 2 * step] == met[corner];
     for (int channel = 0; channel < 3; channel++) {

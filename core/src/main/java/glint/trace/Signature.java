@@ -19,6 +19,9 @@ final class Signature {
   /** By how much less a place in an image counts than one met later. */
   private static final double SHARE = 0.4;
 
+  /** The golden ratio in 64 bits. */
+  private static final long STEP = 0x9e3779b97f4a7c15L;
+
   private long value;
 
   /** Where in its images the tree looks, in their pixels. */
@@ -38,9 +41,9 @@ final class Signature {
     return value;
   }
 
-  /** Adds one thing that was met. */
+  /** Adds one thing that was met; even what has the number 0 makes a difference to nothing met. */
   void add(long what) {
-    long mixed = (value ^ what) * 0x9e3779b97f4a7c15L;
+    long mixed = ((value ^ what) + STEP) * 0xbf58476d1ce4e5b9L;
     value = mixed ^ mixed >>> 29;
   }
 
