@@ -58,8 +58,7 @@ public final class MainActivity extends Activity {
     if (isDestroyed() || !read.equals(file)) {
       return;
     }
-    boolean gallery = SceneReader.GALLERY.equals(file);
-    setTitle(gallery ? getString(R.string.app_name) : reading.name());
+    setTitle(title(reading));
     thumbnails.watch(scenes::notifyDataSetChanged);
     scenes.show(reading.scenes(), thumbnails);
     int wrong = reading.problems().size();
@@ -68,6 +67,13 @@ public final class MainActivity extends Activity {
             + "\n"
             + TextUtils.join("\n", reading.problems()));
     message.setVisibility(wrong > 0 ? View.VISIBLE : View.GONE);
+  }
+
+  private String title(Reading reading) {
+    if (SceneReader.GALLERY.equals(file)) {
+      return getString(R.string.app_name);
+    }
+    return SceneReader.STORIES.equals(file) ? getString(R.string.stories) : reading.name();
   }
 
   @Override
@@ -82,6 +88,8 @@ public final class MainActivity extends Activity {
       pick();
     } else if (item.getItemId() == R.id.gallery) {
       read(SceneReader.GALLERY);
+    } else if (item.getItemId() == R.id.stories) {
+      read(SceneReader.STORIES);
     } else if (item.getItemId() == R.id.settings) {
       startActivity(new Intent(this, SettingsActivity.class));
     } else {

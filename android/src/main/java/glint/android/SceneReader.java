@@ -14,8 +14,11 @@ import java.util.stream.Collectors;
 /** Reads a scene file that is packed into the app, or one that a person picked. */
 final class SceneReader {
 
-  /** The scenes that the app comes with. */
+  /** The scenes that the app begins with. */
   static final Uri GALLERY = Uri.parse("asset:/gallery.yaml");
+
+  /** More that are packed into it, of models. */
+  static final Uri STORIES = Uri.parse("asset:/stories.yaml");
 
   private static final String ASSET = "asset";
 

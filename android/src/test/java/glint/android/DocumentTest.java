@@ -79,6 +79,19 @@ public final class DocumentTest {
   }
 
   @Test
+  public void theStoriesArePackedToo() {
+    list.onOptionsItemSelected(new RoboMenuItem(R.id.stories));
+    assertEquals("", message());
+    ListView scenes = list.findViewById(R.id.scenes);
+    assertEquals(3, scenes.getCount());
+    assertEquals("Stories", list.getTitle().toString());
+    list.onOptionsItemSelected(new RoboMenuItem(R.id.gallery));
+    assertEquals("", message());
+    assertEquals(16, scenes.getCount());
+    assertEquals("Glint", list.getTitle().toString());
+  }
+
+  @Test
   public void itsScenesAreListed() {
     pick(BALL);
     assertEquals("", message());

@@ -5,6 +5,7 @@ import java.io.File;
 import java.io.IOException;
 import java.io.InputStreamReader;
 import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.Collections;
@@ -20,6 +21,16 @@ record JavaMachine(Path home) {
   /** Returns the one that runs this. */
   static JavaMachine own() {
     return new JavaMachine(Path.of(System.getProperty("java.home")));
+  }
+
+  /** Returns its version, as its own folder says. */
+  String version() throws IOException {
+    for (String line : Files.readAllLines(home.resolve("release"))) {
+      if (line.startsWith("JAVA_VERSION=")) {
+        return line.substring(line.indexOf('"') + 1, line.lastIndexOf('"'));
+      }
+    }
+    throw new IOException("no version is told in " + home.resolve("release"));
   }
 
   /**
