@@ -14,6 +14,7 @@ import glint.report.Measurement;
 import glint.report.Reference;
 import glint.report.Study;
 import glint.report.TargetStudy;
+import glint.report.ThinLines;
 import glint.scene.Prepared;
 import glint.scene.Scene;
 import java.io.IOException;
@@ -33,6 +34,9 @@ final class ReportRun {
 
   /** A reference, its halves, and the image that is compared with it. */
   private static final int EXTRA_IMAGES = 3;
+
+  /** The widths of lines that are looked for, in pixels. */
+  private static final List<Double> LINES = List.of(0.05, 0.2, 0.5);
 
   private final SceneFilter filter;
   private final ReportOptions options;
@@ -71,7 +75,8 @@ final class ReportRun {
       return ExitCode.INTERRUPTED;
     }
     if (!entries.isEmpty()) {
-      Report report = new Report(command, Machine.environment(options.threads), entries);
+      List<ThinLines.Count> lines = LINES.stream().map(ThinLines::count).toList();
+      Report report = new Report(command, Machine.environment(options.threads), entries, lines);
       write(ReportFiles.of(report));
     }
     return failed ? ExitCode.FAILED : ExitCode.DONE;

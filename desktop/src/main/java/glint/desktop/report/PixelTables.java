@@ -3,6 +3,7 @@ package glint.desktop.report;
 import glint.report.Curve;
 import glint.report.DepthStudy;
 import glint.report.TargetStudy;
+import glint.report.ThinLines;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
@@ -26,6 +27,20 @@ final class PixelTables {
               String.valueOf(each.samples())));
     }
     return new Block.Grid(List.of("pixel", "off by", "claimed", "camera rays"), rows);
+  }
+
+  /** How many pixels show nothing of a line that crosses them. */
+  static Block.Grid lines(Report report) {
+    List<List<String>> rows = new ArrayList<>();
+    for (ThinLines.Count each : report.lines()) {
+      rows.add(
+          List.of(
+              String.valueOf(each.width()),
+              String.valueOf(each.crossed()),
+              String.valueOf(each.missed()),
+              String.format(Locale.ROOT, "%.2f %%", 100.0 * each.missed() / each.crossed())));
+    }
+    return new Block.Grid(List.of("pixels wide", "crossed", "missed", "share"), rows);
   }
 
   /** What is lost with fewer bounces, and what share of the time they take. */

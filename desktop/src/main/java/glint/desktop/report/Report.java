@@ -3,6 +3,7 @@ package glint.desktop.report;
 import glint.report.Curve;
 import glint.report.DepthStudy;
 import glint.report.TargetStudy;
+import glint.report.ThinLines;
 import java.util.List;
 import java.util.OptionalDouble;
 
@@ -12,8 +13,10 @@ import java.util.OptionalDouble;
  * @param command what made the report
  * @param environment what it was measured on
  * @param entries at least one
+ * @param lines what renders miss of thin lines, which are in none of the scenes
  */
-public record Report(String command, Environment environment, List<Entry> entries) {
+public record Report(
+    String command, Environment environment, List<Entry> entries, List<ThinLines.Count> lines) {
 
   /**
    * What measured.

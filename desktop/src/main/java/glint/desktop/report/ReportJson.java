@@ -17,12 +17,17 @@ import glint.report.Rays;
 import glint.report.Spread;
 import glint.report.TargetRuns;
 import glint.report.TargetStudy;
+import glint.report.ThinLines;
 import java.lang.reflect.Type;
 import java.util.ArrayList;
 import java.util.List;
 
 /** A report in the form of its JSON; the names are a contract with scripts. */
-record ReportJson(String command, Report.Environment environment, List<SceneRow> scenes) {
+record ReportJson(
+    String command,
+    Report.Environment environment,
+    List<SceneRow> scenes,
+    List<ThinLines.Count> thinLines) {
 
   private static final Gson GSON =
       new GsonBuilder()
@@ -71,7 +76,9 @@ record ReportJson(String command, Report.Environment environment, List<SceneRow>
   /** Returns the text of a report. */
   static String of(Report report) {
     List<SceneRow> scenes = report.entries().stream().map(ReportJson::scene).toList();
-    return GSON.toJson(new ReportJson(report.command(), report.environment(), scenes)) + "\n";
+    ReportJson json =
+        new ReportJson(report.command(), report.environment(), scenes, report.lines());
+    return GSON.toJson(json) + "\n";
   }
 
   private static SceneRow scene(Report.Entry entry) {

@@ -41,6 +41,11 @@ final class ReportPage {
       "The ten pixels of the image at a target of one level that are off most, and the commands that"
           + " show all their rays.";
 
+  private static final String LINES =
+      "Bright lines thinner than a pixel, of all directions, made as quads, cylinders and meshes,"
+          + " and rendered to one level: missed is a pixel that one crosses and that shows nothing of"
+          + " it. They are in none of the scenes above.";
+
   private final Report report;
   private final String files;
   private final List<Block> page = new ArrayList<>();
@@ -94,6 +99,9 @@ final class ReportPage {
         page.add(new Block.Details(entry.name(), PixelTables.worst(entry)));
       }
     }
+    page.add(new Block.Heading(2, "Thin lines"));
+    page.add(new Block.Paragraph(LINES));
+    page.add(PixelTables.lines(report));
     page.add(new Block.Heading(2, "All figures"));
     for (Report.Entry entry : report.entries()) {
       page.add(new Block.Details(summary(entry), figures(entry.uniform())));

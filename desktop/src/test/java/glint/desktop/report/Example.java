@@ -14,6 +14,7 @@ import glint.report.Reference;
 import glint.report.Spread;
 import glint.report.TargetRuns;
 import glint.report.TargetStudy;
+import glint.report.ThinLines;
 import glint.report.Truth;
 import glint.scene.Expectation;
 import java.util.ArrayList;
@@ -42,7 +43,8 @@ final class Example {
         environment,
         List.of(
             entry("a|b.yaml", "law", "A <scene> & more", curve(reference, 10, true), 1),
-            entry("b.yaml", "exact", "exact", curve(mean, 0, false), 0)));
+            entry("b.yaml", "exact", "exact", curve(mean, 0, false), 0)),
+        List.of(new ThinLines.Count(0.05, 2000, 7)));
   }
 
   /** Renders to an error that are as far off as asked, with two samples' rays and seconds. */

@@ -127,7 +127,7 @@ class WritersTest {
     Report report = Example.report();
     List<Report.Entry> exact = report.entries().subList(1, 2);
     assertTrue(PanelChart.of(exact, Cost.RAYS).isEmpty());
-    Report one = new Report("", report.environment(), exact);
+    Report one = new Report("", report.environment(), exact, report.lines());
     Set<String> files =
         Set.of(
             "speed-and-error.json",
