@@ -45,8 +45,9 @@ public final class WindowTable {
     System.out.println(Machine.with(commit) + ", load " + Machine.load());
     System.out.println();
     System.out.println(
-        "| scene | first picture, cold | warm | done | longest wait | moving | wait |");
-    System.out.println("|---|---|---|---|---|---|---|");
+        "| scene | first picture, cold | warm | done | longest work | wait |"
+            + " moving | longest work | wait |");
+    System.out.println("|---|---|---|---|---|---|---|---|---|");
     WindowProbe probe = new WindowProbe(scenes);
     EventWaits waits = new EventWaits();
     probe.awaitChosen();
@@ -76,26 +77,30 @@ public final class WindowTable {
 
   private static void row(WindowProbe probe, EventWaits waits, Scene scene, int i, double cold)
       throws Exception {
-    waits.take();
+    take(waits);
     long chosen = probe.choose(i);
     double warm = first(probe, chosen);
     double done = (probe.awaitDone() - chosen) * 1e-9;
-    double wait = waits.take();
+    String still = take(waits);
     probe.drag(SECONDS);
-    waits.take();
+    take(waits);
     List<WindowProbe.Shown> moved = probe.drag(SECONDS);
-    double moving = waits.take();
+    String moving = take(waits);
     int width = moved.get(moved.size() - 1).picture().getWidth();
     System.out.printf(
         Locale.ROOT,
-        "| %s | %.0f ms | %.0f ms | %.1f s | %.0f ms | %.0f/s of %d %% | %.0f ms |%n",
+        "| %s | %.0f ms | %.0f ms | %.1f s | %s | %.0f/s of %d %% | %s |%n",
         scene.name(),
         cold,
         warm,
         done,
-        wait,
+        still,
         moved.size() / SECONDS,
         Math.round(100.0 * width / scene.width()),
         moving);
+  }
+
+  private static String take(EventWaits waits) {
+    return String.format(Locale.ROOT, "%.0f ms | %.0f ms", waits.takeWork(), waits.takeWait());
   }
 }

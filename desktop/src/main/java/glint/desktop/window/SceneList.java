@@ -88,9 +88,9 @@ final class SceneList extends JList<Picked> {
     public Component getListCellRendererComponent(
         JList<?> list, Object value, int index, boolean selected, boolean focused) {
       Picked picked = (Picked) value;
+      String name = picked.scene().name();
       JLabel label =
-          (JLabel) super.getListCellRendererComponent(list, value, index, selected, focused);
-      label.setText(picked.scene().name());
+          (JLabel) super.getListCellRendererComponent(list, name, index, selected, focused);
       label.setIcon(new ThumbnailIcon(thumbnails.apply(picked)));
       label.setIconTextGap(10);
       label.setBorder(BorderFactory.createEmptyBorder(3, 6, 3, 6));
