@@ -46,7 +46,7 @@ final class Screenshots {
         """);
     Path rough = Files.createTempDirectory("glint");
     Path gallery = SCENES.resolve("gallery.yaml");
-    Run.of("render", gallery, "--scene", "glass-still-life", "--samples", "1", "--out", rough);
+    Run.of("render", gallery, "--scene", "sphere-garden", "--samples", "1", "--out", rough);
     for (String theme : List.of("light", "dark")) {
       try (OnScreen screen = new OnScreen(List.of(gallery), SOURCE)) {
         screen.awaitStatus("rendering");
@@ -55,7 +55,7 @@ final class Screenshots {
         }
         Screenshots shots = new Screenshots(folder, theme + "-" + arguments[1], screen);
         shots.render();
-        shots.look(rough.resolve("glass-still-life.png"));
+        shots.look(rough.resolve("sphere-garden.png"));
         shots.edit(broken);
       }
     }
@@ -83,7 +83,7 @@ final class Screenshots {
 
   /** The other looks of an image. */
   private void look(Path other) throws Exception {
-    pick("glass-still-life");
+    pick("sphere-garden");
     screen.awaitStatus("done");
     screen.key(KeyEvent.VK_E);
     shoot("05-error");

@@ -30,6 +30,7 @@ import javax.swing.JScrollBar;
 import javax.swing.JSlider;
 import javax.swing.JTable;
 import javax.swing.JTree;
+import javax.swing.UIManager;
 import javax.swing.text.JTextComponent;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
@@ -94,6 +95,32 @@ class WindowKeysTest {
       screen.key(KeyEvent.VK_ESCAPE);
       screen.await("no sheet", () -> sheets() == 0);
     }
+  }
+
+  @Test
+  void everyPartFollowsTheLook() throws Exception {
+    Path file = Scenes.write(dir.resolve("a.yaml"), "one");
+    try (OnScreen screen = new OnScreen(List.of(file), SOURCE)) {
+      screen.awaitStatus("done");
+      screen.key(KeyEvent.VK_E);
+      screen.key(KeyEvent.VK_D);
+      screen.await("the dark", () -> UIManager.getLookAndFeel().getName().contains("Dark"));
+      assertEquals(List.of(), OnScreen.on(() -> light(screen.frame().getRootPane())));
+    }
+  }
+
+  /** Returns the parts with a light background. */
+  private static List<String> light(Component at) {
+    List<String> found = new ArrayList<>();
+    if (at instanceof JComponent && at.isOpaque() && at.getBackground().getGreen() > 127) {
+      found.add(at.toString());
+    }
+    if (at instanceof Container inner) {
+      for (Component each : inner.getComponents()) {
+        found.addAll(light(each));
+      }
+    }
+    return found;
   }
 
   private static long sheets() {

@@ -20,7 +20,7 @@ final class SpeedPanel extends JPanel {
 
   private static final long serialVersionUID = 1;
 
-  private static final String HINT = "how its error falls with time";
+  private static final String HINT = "error against time";
 
   private final transient Consumer<Boolean> measures;
   private final JButton button = new JButton("Measure");

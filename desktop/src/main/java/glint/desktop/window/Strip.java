@@ -1,7 +1,7 @@
 package glint.desktop.window;
 
 import java.awt.BorderLayout;
-import java.awt.Component;
+import java.awt.CardLayout;
 import java.awt.Dimension;
 import javax.swing.BorderFactory;
 import javax.swing.JLabel;
@@ -14,13 +14,16 @@ final class Strip extends JPanel {
   private static final long serialVersionUID = 1;
 
   private static final int PARTS = 1000;
+  private static final String LEGEND = "legend";
+  private static final String DIVIDER = "divider";
 
   private final JLabel left = new JLabel();
   private final JLabel right = new JLabel();
   private final JLabel words = new JLabel(" ");
   private final Legend legend = new Legend();
   private final JSlider slider = new JSlider(0, PARTS, PARTS / 2);
-  private final JPanel middle = new JPanel(new BorderLayout());
+  private final CardLayout cards = new CardLayout();
+  private final JPanel middle = new JPanel(cards);
 
   /**
    * Makes one that is not seen.
@@ -36,6 +39,8 @@ final class Strip extends JPanel {
     words.setName("metrics");
     words.setHorizontalAlignment(JLabel.CENTER);
     words.setMinimumSize(new Dimension(0, 0));
+    middle.add(legend, LEGEND);
+    middle.add(slider, DIVIDER);
     add(left, BorderLayout.WEST);
     add(middle, BorderLayout.CENTER);
     add(right, BorderLayout.EAST);
@@ -46,12 +51,12 @@ final class Strip extends JPanel {
   /** Shows what colours mean. */
   void showLegend(Scale scale, String text) {
     legend.show(scale);
-    show(scale.title(), legend, "", text);
+    show(scale.title(), LEGEND, "", text);
   }
 
   /** Shows the divider between two images. */
   void showDivider(String leftName, String rightName, String text) {
-    show(leftName, slider, rightName, text);
+    show(leftName, DIVIDER, rightName, text);
   }
 
   /** Returns where the divider is, 0 to 1. */
@@ -59,16 +64,12 @@ final class Strip extends JPanel {
     return slider.getValue() / (double) PARTS;
   }
 
-  private void show(String before, Component what, String after, String text) {
+  private void show(String before, String what, String after, String text) {
     left.setText(before);
     right.setText(after);
     words.setText(text);
     words.setVisible(!text.isBlank());
-    if (what.getParent() != middle) {
-      middle.removeAll();
-      middle.add(what, BorderLayout.CENTER);
-      middle.repaint();
-    }
+    cards.show(middle, what);
     setVisible(true);
     revalidate();
   }
