@@ -102,9 +102,10 @@ class WindowKeysTest {
     Path file = Scenes.write(dir.resolve("a.yaml"), "one");
     try (OnScreen screen = new OnScreen(List.of(file), SOURCE)) {
       screen.awaitStatus("done");
-      screen.key(KeyEvent.VK_E);
       screen.key(KeyEvent.VK_D);
       screen.await("the dark", () -> UIManager.getLookAndFeel().getName().contains("Dark"));
+      screen.key(KeyEvent.VK_E);
+      screen.await("a legend", screen.part("legend", JComponent.class)::isShowing);
       assertEquals(List.of(), OnScreen.on(() -> light(screen.frame().getRootPane())));
     }
   }
