@@ -17,7 +17,7 @@ record Heap(long bytes) {
   private static final long BUILDING = 3;
 
   /** A smaller picture than this is of no use. */
-  private static final int LEAST_SIDE = 64;
+  static final int LEAST_SIDE = 64;
 
   /** Returns what is free now. */
   static Heap now() {

@@ -165,9 +165,12 @@ final class Session {
     run.hold(paused || away);
   }
 
-  /** Begins again with a picture of half the size, unless the render is over. */
+  /**
+   * Begins again with a picture of half the size, unless the render is over or that is too small.
+   */
   void shrink() {
-    if (!run.status().state().isOver()) {
+    boolean large = Math.min(width(), height()) / 2 >= Heap.LEAST_SIDE;
+    if (large && !run.status().state().isOver()) {
       run.cancel();
       halvings++;
       begin(width(), height(), new Goal.Error(settings.levels()));

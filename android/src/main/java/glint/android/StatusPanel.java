@@ -73,9 +73,14 @@ final class StatusPanel {
   }
 
   private String figures(Status status) {
-    double rate = 1e-6 * status.rays() / Math.max(1e-3, status.seconds());
-    return status.error() == Double.POSITIVE_INFINITY
-        ? resources.getString(R.string.figures, status.seconds(), rate)
-        : resources.getString(R.string.figures_with_error, status.seconds(), rate, status.error());
+    double seconds = status.seconds();
+    double rate = 1e-6 * status.rays() / Math.max(1e-3, seconds);
+    if (status.error() == Double.POSITIVE_INFINITY) {
+      return resources.getString(R.string.figures, seconds, rate);
+    } else if (status.state().isOver()) {
+      return resources.getString(R.string.figures_with_error, seconds, rate, status.error());
+    }
+    double left = seconds * (1 - status.part()) / status.part();
+    return resources.getString(R.string.figures_and_left, seconds, rate, status.error(), left);
   }
 }

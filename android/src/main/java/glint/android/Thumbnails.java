@@ -83,8 +83,10 @@ final class Thumbnails {
       int[] codes = image.toArgb(scene.transfer());
       Bitmap bitmap = Bitmap.createBitmap(codes, width, height, Bitmap.Config.ARGB_8888);
       main.post(() -> show(scene, bitmap));
-    } catch (CancellationException | OutOfMemoryError e) {
-      // a list does without
+    } catch (CancellationException e) {
+      // nobody will look at it
+    } catch (OutOfMemoryError | IllegalStateException e) {
+      // of a worker, too: a list does without
     }
   }
 

@@ -166,6 +166,10 @@ public final class LifecycleTest {
       Waiting.until(
           "there is a smaller picture", () -> screen.session().bitmap().getWidth() == 640);
       assertEquals(State.RENDERING, state(screen));
+      for (int i = 0; i < 10; i++) {
+        screen.onTrimMemory(ComponentCallbacks2.TRIM_MEMORY_RUNNING_CRITICAL);
+      }
+      assertEquals(90, screen.session().height());
     }
   }
 

@@ -23,10 +23,9 @@ public final class Timing {
   /**
    * Columns, rows and error of the images, threads, and renders of each, of which the last counts.
    */
-  private static final String[] HOW = {"320", "240", "2", "1", "3"};
+  private static final String[] HOW = {"160", "120", "4", "1", "3"};
 
-  /** What runs at the same time disturbs now one, now the other: the least of so many counts. */
-  private static final int TURNS = 3;
+  private static final String DESKTOP = "desktop";
 
   private final Path scenes;
   private final Map<String, List<String>> cores;
@@ -46,7 +45,7 @@ public final class Timing {
     Path folder = Files.createTempDirectory("glint-timing");
     String harness = args[2];
     Map<String, List<String>> cores = new LinkedHashMap<>();
-    cores.put("desktop", List.of(harness, args[3]));
+    cores.put(DESKTOP, List.of(harness, args[3]));
     for (int i = 4; i < args.length; i++) {
       String type = i == 4 ? "debug app" : "release app";
       Path jar = folder.resolve(i + ".jar");
@@ -80,39 +79,24 @@ public final class Timing {
       out.append(" HotSpot ").append(each.version()).append(" |");
     }
     out.append("\n|---|").append("---|".repeat(machines.size())).append('\n');
-    Map<String, double[]> seconds = new LinkedHashMap<>();
-    cores.keySet().forEach(core -> seconds.put(core, new double[machines.size()]));
-    for (int m = 0; m < machines.size(); m++) {
-      Map<String, Map<String, Double>> least = new LinkedHashMap<>();
-      for (int turn = 0; turn < TURNS; turn++) {
-        for (String core : cores.keySet()) {
-          Map<String, Double> byScene = least.computeIfAbsent(core, c -> new LinkedHashMap<>());
-          run(machines.get(m), core).forEach((scene, s) -> byScene.merge(scene, s, Math::min));
-        }
-      }
-      for (String core : cores.keySet()) {
-        seconds.get(core)[m] = least.get(core).values().stream().mapToDouble(s -> s).sum();
-      }
-    }
-    for (Map.Entry<String, double[]> row : seconds.entrySet()) {
-      out.append("| ").append(row.getKey()).append(" |");
-      for (double s : row.getValue()) {
-        out.append(String.format(Locale.ROOT, " %.2f s |", s));
+    for (String core : cores.keySet()) {
+      out.append("| ").append(core).append(" |");
+      for (JavaMachine each : machines) {
+        out.append(String.format(Locale.ROOT, " %.2f s |", seconds(each, core)));
       }
       out.append('\n');
     }
     return out.toString();
   }
 
-  private Map<String, Double> run(JavaMachine java, String core) throws IOException {
+  private double seconds(JavaMachine java, String core) throws IOException {
     List<String> args = new ArrayList<>(List.of(scenes.toString()));
     args.addAll(List.of(HOW));
-    boolean verified = core.equals("desktop");
-    Map<String, Double> seconds = new LinkedHashMap<>();
+    boolean verified = core.equals(DESKTOP);
+    double sum = 0;
     for (String line : java.gallery(cores.get(core), verified, args.toArray(new String[0]))) {
-      String[] words = line.split(" ");
-      seconds.put(words[0], Double.parseDouble(words[2]));
+      sum += Double.parseDouble(line.substring(line.lastIndexOf(' ') + 1));
     }
-    return seconds;
+    return sum;
   }
 }
