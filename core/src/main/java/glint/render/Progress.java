@@ -24,6 +24,9 @@ public interface Progress {
    */
   default void pictureImproved(double error, long rays) {}
 
+  /** So many rays are traced so far, of all kinds; heard now and then while pixels are sampled. */
+  default void traced(long rays) {}
+
   /**
    * The thread that tells begins to work on a part of the image, and has done with the part before;
    * threads do not wait for each other.

@@ -64,6 +64,7 @@ final class Sampling {
             int level = Math.max(first, film.level[chosen[i]] + 1);
             moved[i] = refiner.sample(chosen[i] % film.width, chosen[i] / film.width, level);
           }
+          done.count(refiner.probe);
         });
     for (int i = 0; i < count; i++) {
       int x = chosen[i] % film.width;

@@ -111,6 +111,11 @@ final class TargetRender implements Method {
     }
 
     @Override
+    public void traced(long rays) {
+      progress.traced(rays);
+    }
+
+    @Override
     public void begun(int x, int y, int endX, int endY) {
       progress.begun(x, y, endX, endY);
     }

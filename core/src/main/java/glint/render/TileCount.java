@@ -28,6 +28,12 @@ final class TileCount {
     progress.begun(x, first / width, one ? last % width + 1 : width, last / width + 1);
   }
 
+  /** Something else than a tile is finished, by the thread that owns a probe. */
+  synchronized void count(Probe probe) {
+    rays += probe.newRays();
+    progress.traced(rays);
+  }
+
   /** A tile is finished, by the thread that owns a probe. */
   synchronized void add(Probe probe) {
     done++;

@@ -147,9 +147,15 @@ class PicturesOnTheWayTest {
     RenderSettings mapped = toError.aiming(toError.goal(), 0, Set.of(Aov.ERROR));
     for (RenderSettings settings : List.of(toError, mapped, toError.sampled(2, 0))) {
       List<int[]> parts = Collections.synchronizedList(new ArrayList<>());
+      List<Long> counts = new ArrayList<>();
       new Renderer(Prepared.of(SCENE), settings)
           .render(
               new Heard() {
+                @Override
+                public void traced(long rays) {
+                  counts.add(rays);
+                }
+
                 @Override
                 public void begun(int x, int y, int endX, int endY) {
                   parts.add(new int[] {x, y, endX, endY});
@@ -172,6 +178,8 @@ class PicturesOnTheWayTest {
         assertTrue(uniform ? count == 1 : count >= 2, "begun " + count + " times");
       }
       assertEquals(uniform, narrow == 0);
+      assertEquals(uniform, counts.isEmpty());
+      assertEquals(counts.stream().sorted().toList(), counts);
     }
   }
 

@@ -4,13 +4,11 @@ import glint.desktop.window.Snapshot.State;
 import glint.image.Image;
 import glint.render.Aov;
 import glint.render.Goal;
-import glint.render.Progress;
 import glint.render.RenderSettings;
 import glint.render.Renderer;
 import glint.render.Statistics;
 import glint.scene.Prepared;
 import glint.scene.Scene;
-import java.awt.Rectangle;
 import java.awt.image.BufferedImage;
 import java.util.List;
 import java.util.Optional;
@@ -43,6 +41,7 @@ final class RenderRun {
   private final RenderSettings settings;
   private final Marks marks;
   private final Outlook outlook;
+  private final Heard heard;
   private final Consumer<Snapshot> listener;
   private final Clock clock = new Clock();
   private final Object change = new Object();
@@ -51,9 +50,6 @@ final class RenderRun {
   private Renderer renderer;
   private Statistics statistics;
   private boolean improved;
-  private boolean shown;
-  private long rays;
-  private double error = Double.POSITIVE_INFINITY;
   private String message = "";
 
   /**
@@ -71,6 +67,7 @@ final class RenderRun {
     settings = plain.aiming(plain.goal(), plain.seed(), Set.of(Aov.ERROR, Aov.SAMPLES));
     marks = new Marks(before);
     outlook = new Outlook(((Goal.Error) settings.goal()).levels());
+    heard = new Heard(clock, marks, outlook, this::improved);
   }
 
   /** Begins. */
@@ -113,10 +110,10 @@ final class RenderRun {
       }
       Renderer next = new Renderer(prepared, settings);
       if (begin(next)) {
-        Statistics all = next.render(new Listener()).statistics();
+        Statistics all = next.render(heard).statistics();
+        heard.ended(all.samplingError());
         synchronized (change) {
           statistics = all;
-          error = all.samplingError();
         }
         finish(State.DONE, "");
       }
@@ -161,34 +158,12 @@ final class RenderRun {
     change.notifyAll();
   }
 
-  private final class Listener implements Progress {
-    @Override
-    public void tileDone(int done, int total, long traced) {
-      outlook.tiles((double) done / total, clock.seconds());
-      synchronized (change) {
-        rays = traced;
-      }
+  private void improved(double claimed) {
+    if (claimed == Double.POSITIVE_INFINITY) {
+      marks.show(Pictures.everyNth(renderer.image(), COARSE, scene.transfer()));
     }
-
-    @Override
-    public void begun(int x, int y, int endX, int endY) {
-      marks.begin(new Rectangle(x, y, endX - x, endY - y));
-    }
-
-    @Override
-    public void pictureImproved(double claimed, long traced) {
-      if (claimed < Double.POSITIVE_INFINITY) {
-        marks.whole();
-        outlook.error(claimed, clock.seconds());
-      } else {
-        marks.show(Pictures.everyNth(renderer.image(), COARSE, scene.transfer()));
-      }
-      synchronized (change) {
-        rays = traced;
-        error = claimed;
-        shown = true;
-        changed();
-      }
+    synchronized (change) {
+      changed();
     }
   }
 
@@ -207,14 +182,14 @@ final class RenderRun {
   private State await(long millis) {
     synchronized (change) {
       long end = System.nanoTime() + millis * 1_000_000;
-      boolean moving = state == State.RENDERING && shown;
+      boolean moving = state == State.RENDERING && heard.isShown();
       while (!improved && !(moving && System.nanoTime() - end >= 0)) {
         try {
           change.wait(moving ? Math.max(1, (end - System.nanoTime()) / 1_000_000) : 0);
         } catch (InterruptedException e) {
           throw new IllegalStateException("nothing interrupts this thread", e);
         }
-        moving = state == State.RENDERING && shown;
+        moving = state == State.RENDERING && heard.isShown();
       }
       improved = false;
       return state;
@@ -223,17 +198,13 @@ final class RenderRun {
 
   private Snapshot snapshot(State told) {
     Image image;
-    long traced;
-    double claimed;
     String reason;
     Findings findings = null;
     synchronized (change) {
       if (renderer != null) {
         findings = new Findings(prepared, renderer.aovs(), Optional.ofNullable(statistics));
       }
-      image = shown || told == State.DONE ? renderer.image() : null;
-      traced = rays;
-      claimed = error;
+      image = heard.isShown() ? renderer.image() : null;
       reason = message;
     }
     double seconds = clock.seconds();
@@ -243,9 +214,9 @@ final class RenderRun {
         Optional.ofNullable(image),
         told == State.DONE ? 1 : outlook.done(seconds),
         outlook.left(seconds),
-        traced,
+        heard.rays(),
         seconds,
-        claimed,
+        heard.error(),
         Optional.ofNullable(findings),
         told.isOver() ? List.of() : marks.inWork(),
         reason);

@@ -24,6 +24,7 @@ final class Warmup {
 
   private static final int WIDTH = 48;
   private static final int HEIGHT = 36;
+  private static final int BALLS = 40;
 
   private Warmup() {}
 
@@ -52,7 +53,11 @@ final class Warmup {
         new Material(Rgb.BLACK, Rgb.BLACK, half, 32, Rgb.BLACK, Rgb.BLACK, Rgb.WHITE, medium);
     Vector3d up = new Vector3d(0, 1, 0);
     Vector3d eye = new Vector3d(0, 2, 8);
-    return new Scene.Builder("warm-up")
+    Scene.Builder scene = new Scene.Builder("warm-up");
+    for (int i = 0; i < BALLS; i++) { // enough for a tree
+      scene.place(Placement.of(new Sphere(new Vector3d(i - 20, 0.5, -3), 0.5), Material.WHITE));
+    }
+    return scene
         .size(WIDTH, HEIGHT)
         .camera(Camera.of(eye, up, up, Projection.vertical(40)))
         .light(new Light.Point(new Vector3d(3, 5, 4), Rgb.WHITE, false))
