@@ -1,7 +1,5 @@
 package glint.render;
 
-import java.util.Arrays;
-
 /**
  * Works on pixels of a film, one at a time; one per thread.
  *
@@ -15,12 +13,6 @@ final class Refiner {
   /** The first samples of a pixel, as a power of two. */
   static final byte FIRST = 2;
 
-  /** A step counts as so many bends: 12/√12. */
-  private static final double STEP = 2 * Math.sqrt(3);
-
-  /** A contrast, in levels², that is seen. */
-  private static final double VISIBLE = 1;
-
   private final Film film;
   private final CornerGrid corners;
   private final Sides sides;
@@ -29,10 +21,11 @@ final class Refiner {
   private final double[] model = new double[3];
   private final double[] before = new double[3];
   private final double[] mean = new double[3];
-  private final double[] bends = new double[3];
-  private final double[] scratch;
+
+  private final Bends bends;
 
   final Probe probe;
+  final Survey survey;
   final Aim aim;
 
   Refiner(Film film, CornerGrid corners, Sides sides, LevelScale scale, Probe probe) {
@@ -42,77 +35,9 @@ final class Refiner {
     this.scale = scale;
     this.probe = probe;
     split = new Split(corners, sides);
-    scratch = new double[6 * corners.stride];
+    bends = new Bends(corners, scale);
+    survey = new Survey(film, corners, probe);
     aim = new Aim(corners, scale, probe);
-  }
-
-  /** Decides what kind the pixels of a row are by their corners. */
-  void classify(int y) {
-    corners.contrasts(y, scratch, film.contrast);
-    for (int x = 0; x < film.width; x++) {
-      classify(x, y);
-    }
-  }
-
-  private void classify(int x, int y) {
-    long[] met = corners.signature;
-    int a = y * corners.stride + x;
-    int c = a + corners.stride;
-    int crossings = 0;
-    crossings += met[a] != met[a + 1] ? 1 : 0;
-    crossings += met[c] != met[c + 1] ? 1 : 0;
-    crossings += met[a] != met[c] ? 1 : 0;
-    crossings += met[a + 1] != met[c + 1] ? 1 : 0;
-    int pixel = y * film.width + x;
-    film.kind[pixel] = crossings == 0 ? Film.SMOOTH : crossings == 2 ? Film.SPLIT : Film.BUSY;
-    // Of an image that shows no contrast, audits tell whether there is none.
-    boolean detailed = film.contrast[pixel] > VISIBLE && corners.leapsOverDetail(x, y);
-    film.random[pixel] = corners.isRandom(x, y);
-    if (detailed || film.random[pixel]) {
-      film.kind[pixel] = Film.BUSY;
-    }
-  }
-
-  /** Counts the edges around a pixel. */
-  void survey(int x, int y) {
-    int busy = 0;
-    int splits = 0;
-    for (int row = Math.max(0, y - 1); row <= Math.min(film.height - 1, y + 1); row++) {
-      for (int column = Math.max(0, x - 1); column <= Math.min(film.width - 1, x + 1); column++) {
-        byte kind = film.kind[row * film.width + column];
-        busy += kind == Film.BUSY ? 1 : 0;
-        splits += kind == Film.SPLIT ? 1 : 0;
-      }
-    }
-    int pixel = y * film.width + x;
-    splits -= film.kind[pixel] == Film.SPLIT ? 1 : 0;
-    film.surroundings[pixel] = (byte) (4 * grade(busy) + grade(splits));
-  }
-
-  /**
-   * Looks into the middle of a pixel that is split or beside an edge.
-   *
-   * @return whether something is there that no corner shows: then nothing is taken for known
-   */
-  boolean surprises(int x, int y) {
-    int pixel = y * film.width + x;
-    boolean idle = film.kind[pixel] == Film.SMOOTH && film.surroundings[pixel] == 0;
-    if (film.checked[pixel] || film.kind[pixel] == Film.BUSY || idle) {
-      return false;
-    }
-    film.checked[pixel] = true;
-    long[] met = corners.signature;
-    int a = y * corners.stride + x;
-    int c = a + corners.stride;
-    boolean finite = probe.trace(x + 0.5, y + 0.5);
-    long middle = probe.signature();
-    film.middleAsCorner[pixel] = middle == met[a];
-    return !finite
-        || (middle != met[a] && middle != met[a + 1] && middle != met[c] && middle != met[c + 1]);
-  }
-
-  private static int grade(int count) {
-    return count == 0 ? 0 : count < 3 ? 1 : count < 5 ? 2 : 3;
   }
 
   /**
@@ -130,7 +55,7 @@ final class Refiner {
     if (film.kind[pixel] == Film.SPLIT) {
       if (split.look(x, y) && split.agrees(film.middleAsCorner[pixel])) {
         film.image.set(x, y, split.mean(0), split.mean(1), split.mean(2));
-        film.doubt[pixel] = (float) (split.doubt(scale) + curvature(x, y));
+        film.doubt[pixel] = (float) (split.doubt(scale) + bends.error(x, y, film.image));
         film.own[pixel] = (float) split.variance(scale) + film.doubt[pixel];
         return;
       }
@@ -144,58 +69,9 @@ final class Refiner {
     }
     film.image.set(x, y, corners.mean(x, y, 0), corners.mean(x, y, 1), corners.mean(x, y, 2));
     film.own[pixel] =
-        film.kind[pixel] == Film.SMOOTH ? (float) curvature(x, y) : 0.3f * film.contrast[pixel];
-  }
-
-  /**
-   * Returns the square, in levels², of the error of the mean of the corners: of the trapezoidal
-   * rule, a twelfth of the second differences.
-   */
-  private double curvature(int x, int y) {
-    int a = y * corners.stride + x;
-    Arrays.fill(bends, 0);
-    bend(a, 1, x, corners.stride);
-    bend(a + corners.stride, 1, x, corners.stride);
-    bend(a, corners.stride, y, corners.rows);
-    bend(a + 1, corners.stride, y, corners.rows);
-    double sum = 0;
-    for (int channel = 0; channel < 3; channel++) {
-      if (bends[channel] > 0) {
-        double mean = film.image.rgb()[3 * (y * film.width + x) + channel];
-        sum += scale.squaredError(mean, bends[channel] / 24);
-      }
-    }
-    return sum / 3;
-  }
-
-  /**
-   * Adds to {@link #bends} the second difference along a side that no edge crosses, without its
-   * sign: the mean of those that its two neighbours give as far as they show the same signature;
-   * where none does, the difference of its ends.
-   *
-   * <p>Where the two disagree there is a step rather than a bend, no one knows where along the
-   * side: it is worth the standard deviation of a place even in a range, 1/√12, in twelfths.
-   */
-  private void bend(int corner, int step, int at, int count) {
-    double[] rgb = corners.rgb;
-    long[] met = corners.signature;
-    if (met[corner] != met[corner + step]) {
-      return;
-    }
-    boolean before = at > 0 && met[corner - step] == met[corner];
-    boolean after = at + 2 < count && met[corner + 2 * step] == met[corner];
-    for (int channel = 0; channel < 3; channel++) {
-      int i = 3 * corner + channel;
-      double one = rgb[i];
-      double two = rgb[i + 3 * step];
-      double first = before ? rgb[i - 3 * step] - 2 * one + two : 0;
-      double last = after ? one - 2 * two + rgb[i + 6 * step] : 0;
-      if (before && after) {
-        bends[channel] += 0.5 * (Math.abs(first + last) + STEP * Math.abs(first - last));
-      } else {
-        bends[channel] += before || after ? Math.abs(first + last) : Math.abs(two - one);
-      }
-    }
+        film.kind[pixel] == Film.SMOOTH
+            ? (float) bends.error(x, y, film.image)
+            : 0.3f * film.contrast[pixel];
   }
 
   /** Asks for the brackets of a split pixel to be divided. */

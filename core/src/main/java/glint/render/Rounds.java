@@ -118,10 +118,10 @@ final class Rounds {
 
   private void begin() throws InterruptedException {
     new CornerPass(film, corners, scale, tiles, done).run(crew);
-    crew.run(film.height, Refiner::classify);
+    crew.run(film.height, (refiner, y) -> refiner.survey.classify(y));
     aim();
     do {
-      crew.run(tiles.count(), (refiner, i) -> tiles.forEach(i, refiner::survey));
+      crew.run(tiles.count(), (refiner, i) -> tiles.forEach(i, refiner.survey::count));
     } while (check());
   }
 
@@ -150,7 +150,8 @@ final class Rounds {
         tiles.count(),
         (refiner, i) -> {
           done.begin(i);
-          tiles.forEach(i, (x, y) -> surprising[y * film.width + x] = refiner.surprises(x, y));
+          tiles.forEach(
+              i, (x, y) -> surprising[y * film.width + x] = refiner.survey.surprises(x, y));
         });
     boolean any = false;
     for (int pixel = 0; pixel < surprising.length; pixel++) {
