@@ -13,8 +13,11 @@ import java.awt.Component;
 import java.awt.Point;
 import java.awt.Toolkit;
 import java.awt.datatransfer.DataFlavor;
+import java.awt.datatransfer.UnsupportedFlavorException;
 import java.awt.event.InputEvent;
 import java.awt.event.KeyEvent;
+import java.io.IOException;
+import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Arrays;
 import java.util.List;
@@ -64,10 +67,16 @@ class WindowCameraTest {
     return new Handheld(camera, scene.width(), scene.height());
   }
 
-  private String cameraText() throws Exception {
+  private String cameraText() {
     screen.key(KeyEvent.VK_Y);
-    Object text = Toolkit.getDefaultToolkit().getSystemClipboard().getData(DataFlavor.stringFlavor);
-    return text.toString();
+    try {
+      return Toolkit.getDefaultToolkit()
+          .getSystemClipboard()
+          .getData(DataFlavor.stringFlavor)
+          .toString();
+    } catch (IOException | UnsupportedFlavorException e) {
+      throw new IllegalStateException(e);
+    }
   }
 
   /** Checks that the window has a camera, and comes to show the very image that it sees. */
@@ -148,6 +157,25 @@ class WindowCameraTest {
           screen.key(KeyEvent.VK_I);
           double way = 15 * StrictMath.sin(StrictMath.toRadians(5));
           assertSees(held(camera).orbited(20, 15, 20, 15 + way));
+        });
+  }
+
+  @Test
+  void aMovedCameraStaysWhenItsFileIsSavedUnlessThatMovesItsOwn() throws Exception {
+    open(
+        () -> {
+          Path file = dir.resolve("a.yaml");
+          screen.key(KeyEvent.VK_PERIOD);
+          Camera camera = held(scene.camera()).rolled(5);
+          assertSees(camera);
+          Files.writeString(file, Files.readString(file).replace("radius: 1", "radius: 0.75"));
+          scene = WindowTest.read(file).scenes().get(0).scene();
+          assertSees(camera);
+          Files.writeString(file, Files.readString(file).replace("fov: 40", "fov: 30"));
+          scene = WindowTest.read(file).scenes().get(0).scene();
+          String own = CameraText.of(scene.camera());
+          screen.awaitShown("its own camera", () -> cameraText().equals(own));
+          assertSees(scene.camera());
         });
   }
 }

@@ -48,6 +48,7 @@ public final class GlintWindow {
   private final Editor editor;
   private final CountDownLatch closed = new CountDownLatch(1);
   private JButton pause;
+  private JButton stop;
   private Theme theme;
   private Image linear;
   private Point pointer;
@@ -139,7 +140,7 @@ public final class GlintWindow {
     controls.gap();
     controls.menu("Render");
     pause = controls.add("Pause", "SPACE", this::pauseOrGoOn);
-    controls.add("Stop", "ESCAPE", stage::stop);
+    stop = controls.add("Stop", "ESCAPE", stage::stop);
     controls.item("Measure speed", "M", side::measure);
     controls.gap();
     controls.menu("View");
@@ -203,6 +204,7 @@ public final class GlintWindow {
     paused = snapshot.state() == Snapshot.State.PAUSED;
     pause.getAction().putValue(Action.NAME, paused ? "Continue" : "Pause");
     pause.getAction().setEnabled(!snapshot.state().isOver());
+    stop.getAction().setEnabled(!snapshot.state().isOver());
     point(pointer);
   }
 
