@@ -1,7 +1,9 @@
 package glint.desktop;
 
+import glint.desktop.window.Desk;
 import glint.desktop.window.Picked;
 import glint.desktop.window.SceneSource;
+import java.awt.Component;
 import java.awt.event.KeyEvent;
 import java.io.IOException;
 import java.io.PrintWriter;
@@ -9,9 +11,11 @@ import java.io.Writer;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
+import java.util.Map;
 import javax.imageio.ImageIO;
 import javax.swing.JComponent;
 import javax.swing.JList;
+import javax.swing.JTabbedPane;
 
 /** Takes pictures of the window in all its states, for people to look at. */
 final class Screenshots {
@@ -47,13 +51,20 @@ final class Screenshots {
     Path rough = Files.createTempDirectory("glint");
     Path gallery = SCENES.resolve("gallery.yaml");
     Run.of("render", gallery, "--scene", "sphere-garden", "--samples", "1", "--out", rough);
+    Path cache = Files.createTempDirectory("glint");
     for (String theme : List.of("light", "dark")) {
-      try (OnScreen screen = new OnScreen(List.of(gallery), SOURCE)) {
+      Path state = rough.resolve(theme);
+      Desk desk = new Desk(SOURCE, new WindowImages(), state, cache, Map.of());
+      try (OnScreen screen = new OnScreen(List.of(gallery), desk)) {
         screen.awaitStatus("rendering");
         if (theme.equals("dark")) {
           screen.key(KeyEvent.VK_D);
         }
         Screenshots shots = new Screenshots(folder, theme + "-" + arguments[1], screen);
+        int scenes = SOURCE.read(gallery).scenes().size();
+        for (int i = 0; i < 120 && Run.list(desk.cache()).size() < scenes; i++) {
+          Thread.sleep(1000); // until small pictures of all scenes are made
+        }
         shots.render();
         shots.look(rough.resolve("sphere-garden.png"));
         shots.edit(broken);
@@ -64,7 +75,6 @@ final class Screenshots {
 
   /** A render on its way, paused, done; what is known of it. */
   private void render() throws Exception {
-    Thread.sleep(10_000); // the first small pictures are made
     pick("checkmate");
     screen.await("an error", () -> screen.text("status").contains("error"));
     screen.key(KeyEvent.VK_SPACE);
@@ -79,6 +89,16 @@ final class Screenshots {
     screen.key(KeyEvent.VK_M);
     screen.await("the speed", () -> screen.text("measuring").equals("done"));
     shoot("04-speed");
+    JTabbedPane side = screen.part("side", JTabbedPane.class);
+    Component view = screen.part("picture", JComponent.class);
+    screen.click(view);
+    screen.await("its rays", () -> side.getSelectedIndex() == 2);
+    shoot("13-rays");
+    OnScreen.on(
+        () -> {
+          side.setSelectedIndex(0);
+          return null;
+        });
   }
 
   /** The other looks of an image. */

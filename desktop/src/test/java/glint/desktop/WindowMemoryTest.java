@@ -6,6 +6,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import com.formdev.flatlaf.FlatLaf;
 import glint.desktop.window.Desk;
 import glint.desktop.window.SceneSource;
+import java.awt.Component;
 import java.awt.Rectangle;
 import java.awt.event.KeyEvent;
 import java.io.PrintWriter;
@@ -15,6 +16,9 @@ import java.nio.file.Path;
 import java.util.List;
 import java.util.Map;
 import java.util.Properties;
+import javax.swing.JComponent;
+import javax.swing.JSplitPane;
+import javax.swing.SwingUtilities;
 import javax.swing.UIManager;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
@@ -34,6 +38,8 @@ class WindowMemoryTest {
     Path file = Scenes.write(dir.resolve("a.yaml"), "one");
     Desk desk = OnScreen.desk(SOURCE, dir.resolve("home"), Map.of());
     Rectangle bounds = new Rectangle(40, 30, 900, 600);
+    int list = 180;
+    int side = 260;
     try (OnScreen screen = new OnScreen(List.of(file), desk)) {
       screen.awaitStatus("done");
       screen.key(KeyEvent.VK_D);
@@ -43,6 +49,15 @@ class WindowMemoryTest {
             return null;
           });
       screen.await("its place", () -> screen.frame().getBounds().equals(bounds));
+      OnScreen.on(
+          () -> {
+            JSplitPane inner = split(screen, "side");
+            split(screen, "scenes").setDividerLocation(list);
+            screen.frame().validate();
+            inner.setDividerLocation(inner.getWidth() - inner.getDividerSize() - side);
+            return null;
+          });
+      screen.await("its parts", () -> widths(screen).equals(List.of(list, side)));
     }
     Properties kept = new Properties();
     kept.load(Files.newBufferedReader(desk.state()));
@@ -51,6 +66,7 @@ class WindowMemoryTest {
     try (OnScreen screen = new OnScreen(List.of(file), desk)) {
       screen.awaitStatus("done");
       assertEquals(bounds.getSize(), screen.frame().getSize()); // without a window manager
+      assertEquals(List.of(list, side), widths(screen));
       assertTrue(((FlatLaf) UIManager.getLookAndFeel()).isDark());
     }
   }
@@ -70,6 +86,17 @@ class WindowMemoryTest {
     }
     assertEquals(before, kept(desk));
     assertEquals(digests, Run.digests(desk.cache()));
+  }
+
+  /** Returns what parts the window beside a part of it. */
+  private static JSplitPane split(OnScreen screen, String part) {
+    Component at = screen.part(part, JComponent.class);
+    return (JSplitPane) SwingUtilities.getAncestorOfClass(JSplitPane.class, at);
+  }
+
+  private static List<Integer> widths(OnScreen screen) {
+    int list = split(screen, "scenes").getLeftComponent().getWidth();
+    return List.of(list, screen.part("side", JComponent.class).getWidth());
   }
 
   private static List<Path> kept(Desk desk) {

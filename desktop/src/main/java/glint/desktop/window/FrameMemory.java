@@ -1,12 +1,12 @@
 package glint.desktop.window;
 
-import java.awt.Dimension;
+import java.awt.Component;
 import java.awt.GraphicsDevice;
 import java.awt.GraphicsEnvironment;
 import java.awt.Rectangle;
 import java.util.Optional;
-import javax.swing.JComponent;
 import javax.swing.JFrame;
+import javax.swing.JSplitPane;
 
 /** Puts a window where it was the last time, as large as it was, and remembers that. */
 final class FrameMemory {
@@ -20,24 +20,32 @@ final class FrameMemory {
 
   private final Remembered memory;
   private final JFrame frame;
-  private final JComponent list;
-  private final JComponent side;
+  private final JSplitPane outer;
+  private final JSplitPane inner;
 
-  /** Sets up what is remembered: the window, and the widths of what stands at its sides. */
-  FrameMemory(Remembered memory, JFrame frame, JComponent list, JComponent side) {
+  /**
+   * Sets up what is remembered: the window, and the widths of what stands at its sides.
+   *
+   * @param outer has the list to the left, and to the right the inner one
+   * @param inner has the panel to the right
+   */
+  FrameMemory(Remembered memory, JFrame frame, JSplitPane outer, JSplitPane inner) {
     this.memory = memory;
     this.frame = frame;
-    this.list = list;
-    this.side = side;
+    this.outer = outer;
+    this.inner = inner;
   }
 
   /** Gives the window its place; call it before it is seen. */
   void restore() {
-    width(list, LIST);
-    width(side, SIDE);
     frame.pack();
     Optional<Rectangle> bounds = memory.bounds().filter(FrameMemory::isOnScreen);
     bounds.ifPresentOrElse(frame::setBounds, () -> frame.setLocationByPlatform(true));
+    frame.validate();
+    outer.setDividerLocation(width(LIST, outer.getLeftComponent()));
+    frame.validate();
+    int side = width(SIDE, inner.getRightComponent());
+    inner.setDividerLocation(inner.getWidth() - inner.getDividerSize() - side);
     if (memory.number(MAXIMIZED).orElse(0) == 1) {
       frame.setExtendedState(JFrame.MAXIMIZED_BOTH);
     }
@@ -50,13 +58,18 @@ final class FrameMemory {
     if (!maximized) {
       memory.bounds(frame.getBounds());
     }
-    memory.number(LIST, list.getWidth());
-    memory.number(SIDE, side.getWidth());
+    keep(LIST, outer.getLeftComponent());
+    keep(SIDE, inner.getRightComponent());
   }
 
-  private void width(JComponent part, String name) {
-    int height = part.getPreferredSize().height;
-    memory.number(name).ifPresent(width -> part.setPreferredSize(new Dimension(width, height)));
+  private void keep(String name, Component part) {
+    if (part.isVisible()) {
+      memory.number(name, part.getWidth());
+    }
+  }
+
+  private int width(String name, Component part) {
+    return memory.number(name).orElse(part.getPreferredSize().width);
   }
 
   private static boolean isOnScreen(Rectangle bounds) {

@@ -107,7 +107,7 @@ public final class GlintWindow {
     JSplitPane right = new JSplitPane(JSplitPane.HORIZONTAL_SPLIT, centre, side);
     right.setResizeWeight(1);
     JSplitPane middle = new JSplitPane(JSplitPane.HORIZONTAL_SPLIT, list, right);
-    FrameMemory place = new FrameMemory(memory, frame, list, side);
+    FrameMemory place = new FrameMemory(memory, frame, middle, right);
     frame.setTransferHandler(new FileDrop(this::open));
     scenes.setTransferHandler(frame.getTransferHandler());
     frame.add(controls.bar(), BorderLayout.NORTH);

@@ -6,6 +6,8 @@ import glint.trace.RayTree;
 import glint.trace.RayTreeText;
 import java.awt.BorderLayout;
 import java.awt.Component;
+import java.awt.event.ComponentAdapter;
+import java.awt.event.ComponentEvent;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Locale;
@@ -61,6 +63,15 @@ final class RayPanel extends JPanel {
     tree.addTreeSelectionListener(e -> chosen.accept(ray(e.getNewLeadSelectionPath())));
     JScrollPane scroll = new JScrollPane(tree);
     scroll.setBorder(BorderFactory.createEmptyBorder());
+    scroll
+        .getViewport()
+        .addComponentListener(
+            new ComponentAdapter() {
+              @Override
+              public void componentResized(ComponentEvent e) {
+                tree.setCellRenderer(new Cell()); // has all texts measured anew
+              }
+            });
     add(title, BorderLayout.NORTH);
     add(scroll, BorderLayout.CENTER);
   }

@@ -26,7 +26,7 @@ final class SidePanel extends JTabbedPane {
     speed = new SpeedPanel(measures);
     setName("side");
     getAccessibleContext().setAccessibleName("About the render");
-    setMinimumSize(new Dimension(0, 0));
+    setMinimumSize(new Dimension(150, 0));
     setPreferredSize(new Dimension(290, 100));
     JPanel render = new JPanel(new BorderLayout());
     JScrollPane scroll =
