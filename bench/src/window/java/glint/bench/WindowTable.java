@@ -14,7 +14,7 @@ import java.util.Locale;
 public final class WindowTable {
 
   /** So long the camera is moved, after it was moved as long to warm up. */
-  private static final double SECONDS = 2;
+  private static final double SECONDS = 1;
 
   private WindowTable() {}
 
