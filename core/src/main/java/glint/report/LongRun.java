@@ -17,7 +17,8 @@ import java.util.stream.IntStream;
  * do not share, until these agree.
  *
  * <p>Every pixel has {@link #LEAST} samples in each half. Where the halves differ, in the pixel and
- * around, it has four times as many, and so on. No estimate and no model has a part in it.
+ * around, it has four times as many, and so on, as long as that is not the work of hours. No
+ * estimate and no model has a part in it.
  */
 public final class LongRun {
 
@@ -31,6 +32,9 @@ public final class LongRun {
   public static final String ORIGIN = "2 × " + LEAST + " to " + MOST + " samples";
 
   private static final int GROWTH = 4;
+
+  /** The most samples that all pixels are given at once in each half: minutes, not hours. */
+  private static final long WORK = 1 << 24;
 
   /** Differences of halves, in display levels, that are small enough. */
   private static final double AGREEMENT = 0.25;
@@ -69,10 +73,11 @@ public final class LongRun {
           new Renderer(scene, run.halves[half].following(NEGLIGIBLE)).render(Progress.NONE).image();
     }
     int[] apart = run.apart(IntStream.range(0, settings.width() * settings.height()).toArray());
-    for (int samples = LEAST; samples < MOST && apart.length > 0; ) {
-      samples *= GROWTH;
+    int samples = GROWTH * LEAST;
+    while (samples <= MOST && apart.length > 0 && (long) apart.length * samples <= WORK) {
       run.sample(apart, samples);
       apart = run.apart(apart);
+      samples *= GROWTH;
     }
     return Reference.of(run.images[0], run.images[1], ORIGIN, scene.scene().transfer());
   }
