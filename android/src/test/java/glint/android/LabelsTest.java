@@ -1,9 +1,10 @@
 package glint.android;
 
 import static org.junit.Assert.assertEquals;
-import static org.junit.Assert.assertFalse;
+import static org.junit.Assert.assertTrue;
 
 import android.app.Activity;
+import android.app.AlertDialog;
 import android.view.View;
 import android.view.ViewGroup;
 import android.widget.AdapterView;
@@ -20,6 +21,8 @@ import org.robolectric.RobolectricTestRunner;
 import org.robolectric.android.controller.ActivityController;
 import org.robolectric.annotation.Config;
 import org.robolectric.annotation.GraphicsMode;
+import org.robolectric.fakes.RoboMenuItem;
+import org.robolectric.shadows.ShadowDialog;
 
 /** A screen reader can name whatever can be used, and tells how a render comes along. */
 @RunWith(RobolectricTestRunner.class)
@@ -97,7 +100,22 @@ public final class LabelsTest {
       assertEquals(
           View.ACCESSIBILITY_LIVE_REGION_NONE,
           screen.findViewById(R.id.figures).getAccessibilityLiveRegion());
-      assertFalse(screen.getTitle().toString().isEmpty());
+      assertEquals("Pebbles balanced on still water", screen.getTitle().toString());
+    }
+  }
+
+  @Test
+  public void whatIsLeftOutIsTold() {
+    try (ActivityController<RenderActivity> controller =
+        Screens.open(SceneReader.GALLERY, "stones", new Settings(4, 2, Settings.Size.W160))) {
+      RenderActivity screen = controller.get();
+      Waiting.until("it is prepared", () -> !screen.session().plan().isEmpty());
+      screen.onOptionsItemSelected(new RoboMenuItem(R.id.plan));
+      ListView lines = ((AlertDialog) ShadowDialog.getLatestDialog()).getListView();
+      assertEquals(screen.session().plan().size(), lines.getCount());
+      assertTrue(
+          lines.getItemAtPosition(0).toString(),
+          lines.getItemAtPosition(0).toString().startsWith("Left out: lens ("));
     }
   }
 }

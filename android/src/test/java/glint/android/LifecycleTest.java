@@ -66,6 +66,18 @@ public final class LifecycleTest {
         .count();
   }
 
+  /** Waits until pieces of work that have begun are done; returns the rays traced then. */
+  private static long quietRays(RenderActivity screen) throws InterruptedException {
+    long before = -1;
+    long now = screen.session().status().rays();
+    while (now != before) {
+      Thread.sleep(500);
+      before = now;
+      now = screen.session().status().rays();
+    }
+    return now;
+  }
+
   @Test
   public void turningKeepsTheRender() {
     try (ActivityController<RenderActivity> controller = open(SLOW, AS_DESKTOP)) {
@@ -92,10 +104,10 @@ public final class LifecycleTest {
       assertTrue(screen.findViewById(R.id.picture).getKeepScreenOn());
       controller.pause().stop();
       assertEquals(State.PAUSED, state(screen));
-      Thread.sleep(300); // pieces of work that have begun come to an end
-      long rays = screen.session().status().rays();
+      long rays = quietRays(screen);
       Thread.sleep(300);
       assertEquals(rays, screen.session().status().rays());
+      assertEquals(State.PAUSED, state(screen));
       controller.restart().start().resume();
       assertEquals(State.RENDERING, state(screen));
       awaitDesktopImage(screen);

@@ -28,6 +28,7 @@ import org.robolectric.RobolectricTestRunner;
 import org.robolectric.android.controller.ActivityController;
 import org.robolectric.annotation.Config;
 import org.robolectric.annotation.GraphicsMode;
+import org.robolectric.fakes.RoboMenuItem;
 
 /** Fingers on the picture move the camera. */
 @RunWith(RobolectricTestRunner.class)
@@ -151,6 +152,17 @@ public final class TouchTest {
     assertEquals(0, rolled.up().minus(session.camera().up()).length(), 1e-5);
     fingers(MotionEvent.ACTION_CANCEL, 150, 150, 150, 250);
     assertFalse(session.isMoving());
+  }
+
+  @Test
+  public void theMenuLeadsBackToTheScenesOwnCamera() {
+    fingers(MotionEvent.ACTION_DOWN, 100, 150);
+    fingers(MotionEvent.ACTION_MOVE, 170, 190);
+    fingers(MotionEvent.ACTION_UP, 170, 190);
+    controller.get().onOptionsItemSelected(new RoboMenuItem(R.id.reset));
+    assertEquals(session.scene().camera(), session.camera());
+    awaitPicture();
+    Desktop.assertSame("checkmate", picture.bitmap());
   }
 
   @Test

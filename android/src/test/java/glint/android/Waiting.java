@@ -9,7 +9,7 @@ import java.util.function.BooleanSupplier;
 /** Waits for what other threads do, while the main thread goes on. */
 final class Waiting {
 
-  private static final long LONGEST_NANOS = 60_000_000_000L;
+  private static final long LONGEST_NANOS = 300_000_000_000L;
 
   private Waiting() {}
 
