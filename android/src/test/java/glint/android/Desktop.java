@@ -12,6 +12,11 @@ final class Desktop {
 
   private Desktop() {}
 
+  /** Returns how many there are: one of each scene of the gallery. */
+  static int images() {
+    return new File(System.getProperty("glint.desktop.images")).list().length;
+  }
+
   /** Compares a bitmap with the desktop's image of a scene, pixel for pixel. */
   static void assertSame(String scene, Bitmap bitmap) {
     File file = new File(System.getProperty("glint.desktop.images"), scene + ".png");

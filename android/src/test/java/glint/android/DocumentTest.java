@@ -53,7 +53,7 @@ public final class DocumentTest {
   public void open() {
     list = main.setup().get();
     ListView scenes = list.findViewById(R.id.scenes);
-    Waiting.until("the gallery is read", () -> scenes.getCount() == 16);
+    Waiting.until("the gallery is read", () -> scenes.getCount() == Desktop.images());
   }
 
   @After
@@ -87,7 +87,7 @@ public final class DocumentTest {
     assertEquals("Stories", list.getTitle().toString());
     list.onOptionsItemSelected(new RoboMenuItem(R.id.gallery));
     assertEquals("", message());
-    assertEquals(16, scenes.getCount());
+    assertEquals(Desktop.images(), scenes.getCount());
     assertEquals("Glint", list.getTitle().toString());
   }
 

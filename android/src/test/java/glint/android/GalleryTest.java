@@ -28,7 +28,7 @@ public final class GalleryTest {
       new Settings(4, 2, Settings.Size.W160).save(list);
       ListView scenes = list.findViewById(R.id.scenes);
       Waiting.until("the gallery is read", () -> scenes.getCount() > 0);
-      assertEquals(16, scenes.getCount());
+      assertEquals(Desktop.images(), scenes.getCount());
       main.pause().stop();
       for (int i = 0; i < scenes.getCount(); i++) {
         scenes.performItemClick(null, i, i);
