@@ -1,5 +1,7 @@
 package glint.desktop.window;
 
+import static glint.desktop.window.Snapshot.State.DONE;
+
 import glint.color.Transfer;
 import glint.image.Image;
 import glint.render.Statistics;
@@ -40,7 +42,7 @@ final class ImageWork {
         () -> {
           try {
             store.write(picked, image, statistics, file);
-            say("saved " + file + (statistics.isPresent() ? "" : ", as far as it is rendered"));
+            say("saved " + file + (snapshot.state() == DONE ? "" : ", as far as it is rendered"));
           } catch (IOException | RuntimeException e) {
             say("cannot save: " + e.getMessage());
           }
