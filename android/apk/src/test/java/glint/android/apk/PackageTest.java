@@ -5,10 +5,12 @@ import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import com.android.apksig.ApkVerifier;
+import com.googlecode.d2j.reader.MultiDexFileReader;
 import java.io.File;
 import java.io.IOException;
 import java.io.RandomAccessFile;
 import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
 import java.util.List;
 import java.util.stream.Collectors;
 import java.util.zip.ZipEntry;
@@ -103,6 +105,22 @@ class PackageTest {
     }
     long code = apk("release").length() - assets;
     assertTrue(code < 1 << 20, "bytes without assets: " + code);
+  }
+
+  /** What the manifest and layouts name is found by Android, not by code that R8 sees. */
+  @ParameterizedTest
+  @ValueSource(
+      strings = {
+        "GlintApplication",
+        "MainActivity",
+        "RenderActivity",
+        "SettingsActivity",
+        "PictureView"
+      })
+  void theReleaseKeepsWhatResourcesName(String name) throws IOException {
+    byte[] file = Files.readAllBytes(apk("release").toPath());
+    List<String> classes = MultiDexFileReader.open(file).getClassNames();
+    assertTrue(classes.contains("Lglint/android/" + name + ";"), classes.size() + " classes");
   }
 
   @Test
