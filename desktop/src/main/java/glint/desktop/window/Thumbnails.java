@@ -33,7 +33,7 @@ final class Thumbnails {
   private final ThumbnailCache cache;
   private final Runnable changed;
   private final Map<String, BufferedImage> made = new HashMap<>();
-  private final Set<Picked> hopeless = new HashSet<>();
+  private final Set<String> hopeless = new HashSet<>();
   private List<Picked> wanted = List.of();
   private boolean news;
   private boolean idle;
@@ -116,7 +116,7 @@ final class Thumbnails {
   }
 
   private synchronized boolean mayRender(Picked picked) {
-    return idle && !news && !hopeless.contains(picked);
+    return idle && !news && !hopeless.contains(ThumbnailCache.key(picked));
   }
 
   private void keep(Picked picked, BufferedImage picture) {
@@ -150,7 +150,7 @@ final class Thumbnails {
       return; // another time
     } catch (RuntimeException | OutOfMemoryError e) {
       synchronized (this) {
-        hopeless.add(picked);
+        hopeless.add(ThumbnailCache.key(picked));
       }
     } finally {
       synchronized (this) {

@@ -103,7 +103,9 @@ final class Viewing {
     }
     Optional<Supplier<BufferedImage>> maker = maker();
     if (maker.isEmpty()) {
-      strip.setVisible(look.compares() && other != null);
+      // A strip that is there stays while the camera moves: the picture would jump.
+      boolean map = look == Look.ERROR || look == Look.SAMPLES;
+      strip.setVisible(look.compares() ? other != null : map && strip.isVisible());
       view.accept(snapshot.picture().get());
     } else if (busy) {
       stale = true;
