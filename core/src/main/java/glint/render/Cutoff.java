@@ -31,7 +31,7 @@ final class Cutoff {
         && negligible > LEAST
         && lost(new Probe(scene, settings.following(negligible)), settings, scale)
             > SHARE * accepted) {
-      negligible /= 16;
+      negligible /= 2;
     }
     return negligible;
   }
