@@ -3,6 +3,7 @@ package glint.report;
 import glint.color.Rgb;
 import glint.image.Image;
 import glint.render.Progress;
+import glint.render.RenderResult;
 import glint.render.RenderSettings;
 import glint.render.Renderer;
 import glint.render.Replay;
@@ -33,8 +34,8 @@ public final class LongRun {
 
   private static final int GROWTH = 4;
 
-  /** The most samples that all pixels are given at once in each half: minutes, not hours. */
-  private static final long WORK = 1 << 24;
+  /** The most rays that are traced at once in each half: minutes, not hours. */
+  private static final double WORK = 1e8;
 
   /** Differences of halves, in display levels, that are small enough. */
   private static final double AGREEMENT = 0.25;
@@ -68,13 +69,17 @@ public final class LongRun {
    */
   public static Reference of(Prepared scene, RenderSettings settings, BooleanSupplier cancelled) {
     LongRun run = new LongRun(scene, settings, cancelled);
+    double rays = 0;
     for (int half = 0; half < 2; half++) {
-      run.images[half] =
-          new Renderer(scene, run.halves[half].following(NEGLIGIBLE)).render(Progress.NONE).image();
+      RenderSettings all = run.halves[half].following(NEGLIGIBLE);
+      RenderResult result = new Renderer(scene, all).render(Progress.NONE);
+      run.images[half] = result.image();
+      rays = result.statistics().rays().total();
     }
     int[] apart = run.apart(IntStream.range(0, settings.width() * settings.height()).toArray());
+    rays /= LEAST * (double) (settings.width() * settings.height());
     int samples = GROWTH * LEAST;
-    while (samples <= MOST && apart.length > 0 && (long) apart.length * samples <= WORK) {
+    while (samples <= MOST && apart.length > 0 && rays * apart.length * samples <= WORK) {
       run.sample(apart, samples);
       apart = run.apart(apart);
       samples *= GROWTH;
