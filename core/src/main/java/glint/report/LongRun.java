@@ -35,7 +35,7 @@ public final class LongRun {
   private static final int GROWTH = 4;
 
   /** The most rays that are traced at once in each half: minutes, not hours. */
-  private static final double WORK = 1e8;
+  private static final double WORK = 3e7;
 
   /** Differences of halves, in display levels, that are small enough. */
   private static final double AGREEMENT = 0.25;
