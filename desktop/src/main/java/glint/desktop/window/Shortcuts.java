@@ -3,6 +3,8 @@ package glint.desktop.window;
 import java.awt.BorderLayout;
 import java.awt.GridLayout;
 import java.util.ArrayList;
+import java.util.Collections;
+import java.util.Comparator;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
@@ -20,7 +22,7 @@ final class Shortcuts extends JDialog {
 
   private static final long serialVersionUID = 1;
 
-  private static final int COLUMNS = 2;
+  private static final int COLUMNS = 3;
 
   /** What no menu has. */
   private static final List<Controls.Command> MOUSE =
@@ -38,7 +40,6 @@ final class Shortcuts extends JDialog {
     List<Controls.Command> all = new ArrayList<>(commands);
     all.addAll(MOUSE);
     all.forEach(c -> groups.computeIfAbsent(c.menu(), menu -> new ArrayList<>()).add(c));
-    int half = all.size() / COLUMNS;
     JPanel[] columns = new JPanel[COLUMNS];
     JPanel sheet = new JPanel(new GridLayout(1, COLUMNS, 32, 0));
     sheet.setBorder(BorderFactory.createEmptyBorder(16, 20, 16, 20));
@@ -48,10 +49,11 @@ final class Shortcuts extends JDialog {
       upper.add(columns[i], BorderLayout.NORTH);
       sheet.add(upper);
     }
-    int rows = 0;
     for (Map.Entry<String, List<Controls.Command>> group : groups.entrySet()) {
-      add(columns[Math.min(COLUMNS - 1, rows / half)], group.getKey(), group.getValue());
-      rows += group.getValue().size();
+      JPanel shortest =
+          Collections.min(
+              List.of(columns), Comparator.comparingInt(column -> column.getComponentCount()));
+      add(shortest, group.getKey(), group.getValue());
     }
     add(sheet);
     getRootPane()
