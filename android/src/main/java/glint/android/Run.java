@@ -11,6 +11,7 @@ import glint.scene.Camera;
 import glint.scene.Decision;
 import glint.scene.Prepared;
 import glint.scene.Scene;
+import glint.scene.World;
 import java.util.List;
 import java.util.concurrent.CancellationException;
 import java.util.concurrent.ScheduledExecutorService;
@@ -70,7 +71,7 @@ final class Run implements Runnable, Progress {
         end(State.REFUSED);
         return;
       }
-      if (begin(world.prepare(picture))) {
+      if (begin(world.seenIn(picture))) {
         ThreadFactory threads = Threads.of("glint-render", Threads.AWAITED);
         RenderResult result = renderer.render(this, threads);
         paint();

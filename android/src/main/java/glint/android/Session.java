@@ -9,6 +9,7 @@ import glint.render.RenderSettings;
 import glint.scene.Camera;
 import glint.scene.Decision;
 import glint.scene.Scene;
+import glint.scene.World;
 import java.util.List;
 import java.util.OptionalInt;
 import java.util.Set;
@@ -22,14 +23,13 @@ import java.util.concurrent.ScheduledExecutorService;
  */
 final class Session {
 
-  private final Scene scene;
   private final Settings settings;
   private final Handler main = new Handler(Looper.getMainLooper());
   private final ExecutorService worker =
       Executors.newSingleThreadExecutor(Threads.of("glint-session", Threads.AWAITED));
   private final ScheduledExecutorService painter =
       Executors.newSingleThreadScheduledExecutor(Threads.of("glint-paint", Threads.AWAITED));
-  private final World world = new World();
+  private final World world;
   private final Coarseness coarseness = new Coarseness();
 
   private Camera camera;
@@ -43,7 +43,7 @@ final class Session {
 
   /** Begins to render a scene as seen by a camera, as large as memory allows. */
   Session(Scene scene, Camera camera, Settings settings) {
-    this.scene = scene;
+    world = new World(scene);
     this.camera = camera;
     this.settings = settings;
     int width = settings.size().width(scene);
@@ -64,7 +64,7 @@ final class Session {
             RenderSettings.DEFAULT_TILE,
             Set.of());
     last = run == null ? null : bitmap();
-    Scene picture = scene.seenBy(camera, width, height);
+    Scene picture = world.scene().seenBy(camera, width, height);
     run = new Run(world, picture, how, painter, () -> main.post(this::changed));
     run.hold(paused || away);
     worker.execute(run);
@@ -104,7 +104,7 @@ final class Session {
 
   /** Returns the scene as it was read. */
   Scene scene() {
-    return scene;
+    return world.scene();
   }
 
   /** Returns the camera that sees it now. */
@@ -119,12 +119,12 @@ final class Session {
 
   /** Returns the columns of the picture. */
   int width() {
-    return settings.size().width(scene) >> halvings;
+    return settings.size().width(world.scene()) >> halvings;
   }
 
   /** Returns the rows of the picture. */
   int height() {
-    return settings.size().height(scene) >> halvings;
+    return settings.size().height(world.scene()) >> halvings;
   }
 
   /** Returns whether the picture is smaller than was asked for, as memory is short. */

@@ -1,5 +1,6 @@
 package glint.desktop;
 
+import glint.scene.World;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
@@ -44,13 +45,13 @@ final class Batch {
       Folders.make(options.out);
     }
     for (Job job : jobs) {
-      SceneRun.World world = new SceneRun.World();
+      World world = new World(job.scene());
       job.pictures().forEach(picture -> run(picture, world));
     }
     return end(pictures.size() + inputs.broken());
   }
 
-  private void run(Job job, SceneRun.World world) {
+  private void run(Job job, World world) {
     interrupted = interrupted || interrupt.requested();
     if (interrupted) {
       return;

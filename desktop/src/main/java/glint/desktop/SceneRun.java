@@ -9,6 +9,7 @@ import glint.render.RenderSettings;
 import glint.render.Renderer;
 import glint.scene.Prepared;
 import glint.scene.Scene;
+import glint.scene.World;
 import java.io.BufferedOutputStream;
 import java.io.IOException;
 import java.io.OutputStream;
@@ -29,17 +30,7 @@ final class SceneRun {
   private final OutputFiles files;
   private final World world;
 
-  /** What the pictures of one turntable have in common, once it is there. */
-  static final class World {
-    private Prepared prepared;
-
-    Prepared prepare(Scene picture) {
-      prepared = prepared == null ? Prepared.of(picture) : prepared.seenIn(picture);
-      return prepared;
-    }
-  }
-
-  /** Sets up the run of a scene. */
+  /** Sets up the run of a scene, which is a picture of a world. */
   SceneRun(Job job, World world, RenderOptions options) {
     this.job = job;
     this.world = world;
@@ -70,7 +61,7 @@ final class SceneRun {
     }
 
     long began = System.nanoTime();
-    Prepared prepared = world.prepare(job.scene());
+    Prepared prepared = world.seenIn(job.scene());
     double build = secondsSince(began);
 
     Renderer renderer = new Renderer(prepared, settings);

@@ -4,6 +4,7 @@ import glint.render.Progress;
 import glint.render.RenderSettings;
 import glint.render.Renderer;
 import glint.scene.Scene;
+import glint.scene.World;
 import java.awt.image.BufferedImage;
 
 /** A picture of few pixels, each of one ray. */

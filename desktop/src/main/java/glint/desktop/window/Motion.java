@@ -2,6 +2,7 @@ package glint.desktop.window;
 
 import glint.scene.Camera;
 import glint.scene.Scene;
+import glint.scene.World;
 import java.awt.image.BufferedImage;
 import java.util.function.Consumer;
 

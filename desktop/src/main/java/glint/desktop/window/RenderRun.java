@@ -9,6 +9,7 @@ import glint.render.Renderer;
 import glint.render.Statistics;
 import glint.scene.Prepared;
 import glint.scene.Scene;
+import glint.scene.World;
 import java.awt.image.BufferedImage;
 import java.util.List;
 import java.util.Optional;

@@ -7,6 +7,7 @@ import glint.scene.Camera;
 import glint.scene.Handheld;
 import glint.scene.Prepared;
 import glint.scene.Scene;
+import glint.scene.World;
 import glint.trace.RayTree;
 import java.awt.Point;
 import java.awt.image.BufferedImage;

@@ -15,6 +15,7 @@ import glint.scene.Camera;
 import glint.scene.Placement;
 import glint.scene.Projection;
 import glint.scene.Scene;
+import glint.scene.World;
 
 /**
  * A small render while the window is being opened, that has Java load and compile what the first

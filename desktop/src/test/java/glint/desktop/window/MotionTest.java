@@ -17,6 +17,7 @@ import glint.scene.Placement;
 import glint.scene.Prepared;
 import glint.scene.Projection;
 import glint.scene.Scene;
+import glint.scene.World;
 import java.util.concurrent.ArrayBlockingQueue;
 import java.util.concurrent.BlockingQueue;
 import java.util.concurrent.TimeUnit;
