@@ -3,10 +3,12 @@ package glint.android;
 import android.graphics.Bitmap;
 import glint.android.Status.State;
 import glint.render.Goal;
+import glint.render.Outlook;
 import glint.render.Progress;
 import glint.render.RenderResult;
 import glint.render.RenderSettings;
 import glint.render.Renderer;
+import glint.render.Stopwatch;
 import glint.scene.Camera;
 import glint.scene.Decision;
 import glint.scene.Prepared;
@@ -30,7 +32,8 @@ final class Run implements Runnable, Progress {
   private final RenderSettings settings;
   private final ScheduledExecutorService painter;
   private final Runnable changed;
-  private final Clock clock = new Clock();
+  private final Outlook outlook;
+  private final Stopwatch watch = new Stopwatch();
   private final AtomicBoolean asked = new AtomicBoolean();
   private final Bitmap bitmap;
 
@@ -39,7 +42,6 @@ final class Run implements Runnable, Progress {
   private State state = State.PREPARING;
   private boolean held;
   private boolean shown;
-  private double part;
   private long rays;
   private double error = Double.POSITIVE_INFINITY;
 
@@ -60,6 +62,9 @@ final class Run implements Runnable, Progress {
     this.settings = settings;
     this.painter = painter;
     this.changed = changed;
+    double target =
+        settings.goal() instanceof Goal.Error error ? error.levels() : Double.POSITIVE_INFINITY;
+    outlook = new Outlook(target);
     bitmap = Bitmap.createBitmap(settings.width(), settings.height(), Bitmap.Config.ARGB_8888);
   }
 
@@ -101,7 +106,7 @@ final class Run implements Runnable, Progress {
     }
     state = held ? State.PAUSED : State.RENDERING;
     if (!held) {
-      clock.go();
+      watch.go();
     }
     changed.run();
     return true;
@@ -110,7 +115,6 @@ final class Run implements Runnable, Progress {
   private void finish(double claimed) {
     synchronized (this) {
       error = claimed;
-      part = 1;
     }
     end(State.DONE);
   }
@@ -125,7 +129,7 @@ final class Run implements Runnable, Progress {
       return;
     }
     state = last;
-    clock.stop();
+    watch.stop();
     if (renderer != null) {
       renderer.cancel();
     }
@@ -140,10 +144,10 @@ final class Run implements Runnable, Progress {
     }
     if (wait) {
       renderer.pause();
-      clock.stop();
+      watch.stop();
     } else {
       renderer.resume();
-      clock.go();
+      watch.go();
     }
     state = wait ? State.PAUSED : State.RENDERING;
     changed.run();
@@ -151,7 +155,9 @@ final class Run implements Runnable, Progress {
 
   /** Returns how far it has come. */
   synchronized Status status() {
-    return new Status(state, part, clock.seconds(), rays, error);
+    double seconds = watch.seconds();
+    double part = state == State.DONE ? 1 : outlook.done(seconds);
+    return new Status(state, part, seconds, outlook.left(seconds), rays, error);
   }
 
   /** Returns the picture, which grows; null before there is anything to see. */
@@ -171,20 +177,21 @@ final class Run implements Runnable, Progress {
 
   @Override
   public void tileDone(int done, int total, long traced) {
+    outlook.tiles((double) done / total, watch.seconds());
     synchronized (this) {
       rays = traced;
-      part = settings.goal() instanceof Goal.Samples ? (double) done / total : part;
     }
     repaint();
   }
 
   @Override
   public void pictureImproved(double claimed, long traced) {
+    if (claimed < Double.POSITIVE_INFINITY) {
+      outlook.error(claimed, watch.seconds());
+    }
     synchronized (this) {
       rays = traced;
       error = claimed;
-      double levels = ((Goal.Error) settings.goal()).levels();
-      part = Math.min(1, levels / claimed * (levels / claimed));
     }
     repaint();
   }

@@ -5,10 +5,11 @@ package glint.android;
  *
  * @param part of the work that is done, 0 to 1
  * @param seconds since it began, without pauses
+ * @param left the seconds that are left, about; infinite if that cannot be told
  * @param rays traced so far
  * @param error what is claimed for the picture, in display levels; infinite while unknown
  */
-record Status(State state, double part, double seconds, long rays, double error) {
+record Status(State state, double part, double seconds, double left, long rays, double error) {
 
   /** Where a render stands. */
   enum State {

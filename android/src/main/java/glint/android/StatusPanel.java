@@ -75,12 +75,15 @@ final class StatusPanel {
   private String figures(Status status) {
     double seconds = status.seconds();
     double rate = 1e-6 * status.rays() / Math.max(1e-3, seconds);
-    if (status.error() == Double.POSITIVE_INFINITY) {
-      return resources.getString(R.string.figures, seconds, rate);
-    } else if (status.state().isOver()) {
-      return resources.getString(R.string.figures_with_error, seconds, rate, status.error());
+    String words = resources.getString(R.string.figures, seconds, rate);
+    if (status.error() < Double.POSITIVE_INFINITY) {
+      words = resources.getString(R.string.figures_and_error, words, status.error());
     }
-    double left = seconds * (1 - status.part()) / status.part();
-    return resources.getString(R.string.figures_and_left, seconds, rate, status.error(), left);
+    if (!status.state().isOver()
+        && status.left() >= 1
+        && status.left() < Double.POSITIVE_INFINITY) {
+      words = resources.getString(R.string.figures_and_left, words, status.left());
+    }
+    return words;
   }
 }

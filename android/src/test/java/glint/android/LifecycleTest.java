@@ -9,6 +9,7 @@ import static org.junit.Assert.assertTrue;
 import android.content.ComponentCallbacks2;
 import android.os.Bundle;
 import android.view.KeyEvent;
+import android.widget.ProgressBar;
 import android.widget.TextView;
 import glint.android.Status.State;
 import glint.scene.Camera;
@@ -113,6 +114,20 @@ public final class LifecycleTest {
       awaitDesktopImage(screen);
       assertFalse(screen.findViewById(R.id.picture).getKeepScreenOn());
       assertEquals("Finished", said(screen, R.id.state));
+    }
+  }
+
+  @Test
+  public void howMuchIsLeftIsTold() {
+    try (ActivityController<RenderActivity> controller = open(SLOW, ENDLESS)) {
+      RenderActivity screen = controller.get();
+      ProgressBar bar = screen.findViewById(R.id.progress);
+      Waiting.until(
+          "it says so",
+          () -> said(screen, R.id.figures).matches(".* M rays/s.* · about [0-9]+ s left"));
+      assertFalse(bar.isIndeterminate());
+      assertTrue(bar.getProgress() < bar.getMax());
+      Waiting.until("the bar has moved", () -> bar.getProgress() > 0);
     }
   }
 

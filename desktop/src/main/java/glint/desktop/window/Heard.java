@@ -1,13 +1,15 @@
 package glint.desktop.window;
 
+import glint.render.Outlook;
 import glint.render.Progress;
+import glint.render.Stopwatch;
 import java.awt.Rectangle;
 import java.util.function.DoubleConsumer;
 
 /** What a render has told of itself so far; thread-safe. */
 final class Heard implements Progress {
 
-  private final Clock clock;
+  private final Stopwatch watch;
   private final Marks marks;
   private final Outlook outlook;
   private final DoubleConsumer improved;
@@ -18,11 +20,11 @@ final class Heard implements Progress {
   /**
    * Has heard nothing.
    *
-   * @param clock tells how long the render has run
+   * @param watch tells how long the render has run
    * @param improved hears the error that is claimed for every whole picture
    */
-  Heard(Clock clock, Marks marks, Outlook outlook, DoubleConsumer improved) {
-    this.clock = clock;
+  Heard(Stopwatch watch, Marks marks, Outlook outlook, DoubleConsumer improved) {
+    this.watch = watch;
     this.marks = marks;
     this.outlook = outlook;
     this.improved = improved;
@@ -51,7 +53,7 @@ final class Heard implements Progress {
 
   @Override
   public synchronized void tileDone(int done, int total, long traced) {
-    outlook.tiles((double) done / total, clock.seconds());
+    outlook.tiles((double) done / total, watch.seconds());
     rays = traced;
   }
 
@@ -69,7 +71,7 @@ final class Heard implements Progress {
   public void pictureImproved(double claimed, long traced) {
     if (claimed < Double.POSITIVE_INFINITY) {
       marks.whole();
-      outlook.error(claimed, clock.seconds());
+      outlook.error(claimed, watch.seconds());
     }
     synchronized (this) {
       rays = traced;

@@ -4,9 +4,11 @@ import glint.desktop.window.Snapshot.State;
 import glint.image.Image;
 import glint.render.Aov;
 import glint.render.Goal;
+import glint.render.Outlook;
 import glint.render.RenderSettings;
 import glint.render.Renderer;
 import glint.render.Statistics;
+import glint.render.Stopwatch;
 import glint.scene.Prepared;
 import glint.scene.Scene;
 import glint.scene.World;
@@ -44,7 +46,7 @@ final class RenderRun {
   private final Outlook outlook;
   private final Heard heard;
   private final Consumer<Snapshot> listener;
-  private final Clock clock = new Clock();
+  private final Stopwatch watch = new Stopwatch();
   private final Object change = new Object();
   private State state = State.PREPARING;
   private Prepared prepared;
@@ -68,11 +70,12 @@ final class RenderRun {
     settings = plain.aiming(plain.goal(), plain.seed(), Set.of(Aov.ERROR, Aov.SAMPLES));
     marks = new Marks(before);
     outlook = new Outlook(((Goal.Error) settings.goal()).levels());
-    heard = new Heard(clock, marks, outlook, this::improved);
+    heard = new Heard(watch, marks, outlook, this::improved);
   }
 
   /** Begins. */
   void start() {
+    watch.go();
     thread("glint-window-render", this::render).start();
     thread("glint-window-picture", this::show).start();
   }
@@ -85,9 +88,9 @@ final class RenderRun {
       }
       if (wait) {
         renderer.pause();
-        clock.stop();
+        watch.stop();
       } else {
-        clock.go();
+        watch.go();
         renderer.resume();
       }
       state = wait ? State.PAUSED : State.RENDERING;
@@ -145,7 +148,7 @@ final class RenderRun {
       if (!state.isOver()) {
         state = last;
         message = reason;
-        clock.stop();
+        watch.stop();
         if (renderer != null) {
           renderer.cancel();
         }
@@ -208,7 +211,7 @@ final class RenderRun {
       image = heard.isShown() ? renderer.image() : null;
       reason = message;
     }
-    double seconds = clock.seconds();
+    double seconds = watch.seconds();
     return new Snapshot(
         told,
         image == null ? marks.before() : Optional.of(picture(image)),

@@ -13,7 +13,7 @@ import java.util.Optional;
  *     first rays
  * @param linear the same in linear light; absent like the picture, and while the camera moves
  * @param done the part of the work that is done, 0 to 1
- * @param left the seconds that are left, about; infinite while unknown
+ * @param left the seconds that are left, about; infinite if that cannot be told
  * @param rays rays traced so far
  * @param seconds time since the render was chosen, pauses left out, or of this picture alone
  * @param error what is claimed for the picture, in levels; infinite while unknown

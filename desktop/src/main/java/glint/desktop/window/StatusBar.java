@@ -16,9 +16,6 @@ final class StatusBar extends JPanel {
 
   private static final int PARTS = 1000;
 
-  /** Of a time longer than this, in seconds, nothing is said: it is a wild guess. */
-  private static final double LONGEST = 36_000;
-
   private final JProgressBar bar = new JProgressBar(0, PARTS);
   private final JLabel status = new JLabel(" ");
   private final JLabel pixel = new JLabel(" ");
@@ -52,7 +49,9 @@ final class StatusBar extends JPanel {
       double rate = s.rays() / Math.max(s.seconds(), 1e-3);
       words.append(String.format(Locale.ROOT, ", %.2f M rays/s", rate * 1e-6));
     }
-    if (s.state() == Snapshot.State.RENDERING && s.left() >= 1 && s.left() < LONGEST) {
+    if (s.state() == Snapshot.State.RENDERING
+        && s.left() >= 1
+        && s.left() < Double.POSITIVE_INFINITY) {
       words.append(String.format(Locale.ROOT, ", about %.0f s left", s.left()));
     }
     if (s.error() < Double.POSITIVE_INFINITY) {

@@ -1,14 +1,14 @@
-package glint.android;
+package glint.render;
 
-/** A watch that can be stopped; thread-safe. */
-final class Clock {
+/** A watch that begins at zero, stopped; thread-safe. */
+public final class Stopwatch {
 
   private long began;
   private long before;
   private boolean running;
 
-  /** Lets it run. */
-  synchronized void go() {
+  /** Lets it run, or run on. */
+  public synchronized void go() {
     if (!running) {
       began = System.nanoTime();
       running = true;
@@ -16,13 +16,13 @@ final class Clock {
   }
 
   /** Stops it. */
-  synchronized void stop() {
+  public synchronized void stop() {
     before = nanos();
     running = false;
   }
 
   /** Returns the time that it has run, in seconds. */
-  synchronized double seconds() {
+  public synchronized double seconds() {
     return nanos() * 1e-9;
   }
 

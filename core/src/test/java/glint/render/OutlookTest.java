@@ -1,4 +1,4 @@
-package glint.desktop.window;
+package glint.render;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
@@ -40,5 +40,34 @@ class OutlookTest {
     outlook.error(100, 11);
     assertTrue(outlook.left(11) > 1000);
     assertEquals(before, outlook.done(11));
+  }
+
+  @Test
+  void anErrorOfZeroEndsIt() {
+    Outlook outlook = new Outlook(1);
+    outlook.error(0, 0);
+    assertEquals(0.95, outlook.done(0));
+    assertEquals(0, outlook.left(0));
+    outlook.error(0, 2);
+    assertEquals(0.95, outlook.done(3));
+    assertEquals(0, outlook.left(3));
+  }
+
+  @Test
+  void ofMoreThanTenHoursNothingIsSaid() {
+    Outlook outlook = new Outlook(1);
+    outlook.error(36_001, 1);
+    assertEquals(36_000, outlook.left(1));
+    outlook.error(36_001.1, 1);
+    assertEquals(Double.POSITIVE_INFINITY, outlook.left(1));
+    assertEquals(1 / 36_001.0, outlook.done(1), 1e-8);
+  }
+
+  @Test
+  void whereAnyErrorWillDoTheFirstOneEndsIt() {
+    Outlook outlook = new Outlook(Double.POSITIVE_INFINITY);
+    outlook.error(100, 3);
+    assertEquals(0, outlook.left(3));
+    assertEquals(0.95, outlook.done(3));
   }
 }
