@@ -80,7 +80,7 @@ final class Monkey {
     JFrame frame = screen.frame();
     int what = random.nextInt(100);
     if (what < 30) {
-      screen.robot().mouseMove(x(frame), y(frame));
+      screen.hands().robot().mouseMove(x(frame), y(frame));
       press(screen, random.nextInt(8) == 0 ? 2 : 1);
     } else if (what < 45) {
       drag(screen);
@@ -89,14 +89,14 @@ final class Monkey {
     } else if (what < 75) {
       pick(screen);
     } else if (what < 85) {
-      screen.wheel(random.nextInt(7) - 3);
+      screen.hands().wheel(random.nextInt(7) - 3);
     } else if (what < 90) {
       Files.writeString(own, good.replace("radius: 1", "radius: " + random.nextInt(3)));
     } else if (what < 93) {
-      screen.drop(frame, List.of(own));
+      screen.hands().drop(frame, List.of(own));
     } else if (what < 96) {
       Dimension size = new Dimension(300 + random.nextInt(1200), 200 + random.nextInt(800));
-      OnScreen.on(
+      EventThread.on(
           () -> {
             frame.setSize(size);
             return null;
@@ -108,7 +108,7 @@ final class Monkey {
 
   private void pick(OnScreen screen) {
     JList<?> list = screen.part("scenes", JList.class);
-    OnScreen.on(
+    EventThread.on(
         () -> {
           int count = list.getModel().getSize();
           list.setSelectedIndex(count == 0 ? -1 : random.nextInt(count));
@@ -119,11 +119,11 @@ final class Monkey {
   private void key(OnScreen screen) {
     int kind = random.nextInt(10);
     if (kind == 0) {
-      screen.command("SCD".charAt(random.nextInt(3)));
+      screen.hands().command("SCD".charAt(random.nextInt(3)));
     } else if (kind < 7) {
-      screen.key(KEYS.charAt(random.nextInt(KEYS.length())));
+      screen.hands().key(KEYS.charAt(random.nextInt(KEYS.length())));
     } else {
-      screen.key(MORE_KEYS[random.nextInt(MORE_KEYS.length)]);
+      screen.hands().key(MORE_KEYS[random.nextInt(MORE_KEYS.length)]);
     }
   }
 
@@ -131,18 +131,18 @@ final class Monkey {
     JFrame frame = screen.frame();
     int button =
         random.nextInt(4) == 0 ? InputEvent.BUTTON3_DOWN_MASK : InputEvent.BUTTON1_DOWN_MASK;
-    screen.robot().mouseMove(x(frame), y(frame));
-    screen.robot().mousePress(button);
+    screen.hands().robot().mouseMove(x(frame), y(frame));
+    screen.hands().robot().mousePress(button);
     for (int i = random.nextInt(6); i >= 0; i--) {
-      screen.robot().mouseMove(x(frame), y(frame));
+      screen.hands().robot().mouseMove(x(frame), y(frame));
     }
-    screen.robot().mouseRelease(button);
+    screen.hands().robot().mouseRelease(button);
   }
 
   private static void press(OnScreen screen, int times) {
     for (int i = 0; i < times; i++) {
-      screen.robot().mousePress(InputEvent.BUTTON1_DOWN_MASK);
-      screen.robot().mouseRelease(InputEvent.BUTTON1_DOWN_MASK);
+      screen.hands().robot().mousePress(InputEvent.BUTTON1_DOWN_MASK);
+      screen.hands().robot().mouseRelease(InputEvent.BUTTON1_DOWN_MASK);
     }
   }
 
@@ -156,7 +156,7 @@ final class Monkey {
 
   /** Closes dialogs. */
   private static void dismiss() {
-    OnScreen.on(
+    EventThread.on(
         () -> {
           for (Window each : Window.getWindows()) {
             if (each instanceof JDialog && each.isShowing()) {

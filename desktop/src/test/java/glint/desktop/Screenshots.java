@@ -58,7 +58,7 @@ final class Screenshots {
       try (OnScreen screen = new OnScreen(List.of(gallery), desk)) {
         screen.awaitStatus("rendering");
         if (theme.equals("dark")) {
-          screen.key(KeyEvent.VK_D);
+          screen.hands().key(KeyEvent.VK_D);
         }
         Screenshots shots = new Screenshots(folder, theme + "-" + arguments[1], screen);
         int scenes = SOURCE.read(gallery).scenes().size();
@@ -77,24 +77,24 @@ final class Screenshots {
   private void render() throws Exception {
     pick("checkmate");
     screen.await("an error", () -> screen.text("status").contains("error"));
-    screen.key(KeyEvent.VK_SPACE);
+    screen.hands().key(KeyEvent.VK_SPACE);
     screen.awaitStatus("paused");
     shoot("01-paused");
-    screen.key(KeyEvent.VK_SPACE);
+    screen.hands().key(KeyEvent.VK_SPACE);
     shoot("02-rendering");
     screen.awaitStatus("done");
     shoot("03-done");
     pick("mirror-trio");
     screen.awaitStatus("done");
-    screen.key(KeyEvent.VK_M);
+    screen.hands().key(KeyEvent.VK_M);
     screen.await("the speed", () -> screen.text("measuring").equals("done"));
     shoot("04-speed");
     JTabbedPane side = screen.part("side", JTabbedPane.class);
     Component view = screen.part("picture", JComponent.class);
-    screen.click(view);
+    screen.hands().click(view);
     screen.await("its rays", () -> side.getSelectedIndex() == 2);
     shoot("13-rays");
-    OnScreen.on(
+    EventThread.on(
         () -> {
           side.setSelectedIndex(0);
           return null;
@@ -105,33 +105,33 @@ final class Screenshots {
   private void look(Path other) throws Exception {
     pick("sphere-garden");
     screen.awaitStatus("done");
-    screen.key(KeyEvent.VK_E);
+    screen.hands().key(KeyEvent.VK_E);
     shoot("05-error");
-    screen.key(KeyEvent.VK_N);
+    screen.hands().key(KeyEvent.VK_N);
     shoot("06-samples");
-    screen.key(KeyEvent.VK_B);
+    screen.hands().key(KeyEvent.VK_B);
     screen.choose(other);
     screen.await("a measure", () -> screen.text("metrics").startsWith("RMSE"));
     shoot("07-split");
-    screen.key(KeyEvent.VK_X);
+    screen.hands().key(KeyEvent.VK_X);
     Thread.sleep(2000);
     shoot("08-difference");
-    screen.key(KeyEvent.VK_P);
+    screen.hands().key(KeyEvent.VK_P);
   }
 
   /** A broken file; all keys; a menu; a window with little room. */
   private void edit(Path broken) throws Exception {
-    screen.drop(screen.frame(), List.of(broken));
+    screen.hands().drop(screen.frame(), List.of(broken));
     screen.await("a problem", screen.part("problems", JComponent.class)::isShowing);
     shoot("09-problems");
-    screen.key(KeyEvent.VK_F1);
+    screen.hands().key(KeyEvent.VK_F1);
     shoot("10-keys");
-    screen.key(KeyEvent.VK_ESCAPE);
+    screen.hands().key(KeyEvent.VK_ESCAPE);
     screen.focus();
-    screen.click(screen.frame().getJMenuBar().getMenu(0));
+    screen.hands().click(screen.frame().getJMenuBar().getMenu(0));
     shoot("11-menu");
-    screen.key(KeyEvent.VK_ESCAPE);
-    OnScreen.on(
+    screen.hands().key(KeyEvent.VK_ESCAPE);
+    EventThread.on(
         () -> {
           screen.frame().setSize(800, 500);
           screen.frame().validate();
@@ -142,7 +142,7 @@ final class Screenshots {
 
   private void pick(String name) throws InterruptedException {
     JList<?> list = screen.part("scenes", JList.class);
-    OnScreen.on(
+    EventThread.on(
         () -> {
           for (int i = 0; i < list.getModel().getSize(); i++) {
             Picked each = (Picked) list.getModel().getElementAt(i);

@@ -51,7 +51,7 @@ class WindowCameraTest {
       screen = opened;
       view = screen.part("picture", JComponent.class);
       screen.awaitStatus("done");
-      screen.key(KeyEvent.VK_1);
+      screen.hands().key(KeyEvent.VK_1);
       work.run();
     }
   }
@@ -68,7 +68,7 @@ class WindowCameraTest {
   }
 
   private String cameraText() {
-    screen.key(KeyEvent.VK_Y);
+    screen.hands().key(KeyEvent.VK_Y);
     try {
       return Toolkit.getDefaultToolkit()
           .getSystemClipboard()
@@ -81,7 +81,7 @@ class WindowCameraTest {
 
   /** Checks that the window has a camera, and comes to show the very image that it sees. */
   private void assertSees(Camera camera) throws Exception {
-    screen.key(KeyEvent.VK_Y);
+    screen.hands().key(KeyEvent.VK_Y);
     Object text = Toolkit.getDefaultToolkit().getSystemClipboard().getData(DataFlavor.stringFlavor);
     assertEquals(CameraText.of(camera), text);
     Scene picture = scene.seenBy(camera, scene.width(), scene.height());
@@ -97,16 +97,18 @@ class WindowCameraTest {
   void draggingGoesAboutTheTargetAndAcross() throws Exception {
     open(
         () -> {
-          screen.drag(view, at(20, 15), at(26, 19), LEFT);
+          screen.hands().drag(view, at(20, 15), at(26, 19), LEFT);
           Camera camera = held(scene.camera()).orbited(20, 15, 26, 19);
           assertSees(camera);
-          screen.with(KeyEvent.VK_SHIFT, () -> screen.drag(view, at(3, 4), at(8, 2), LEFT));
+          screen
+              .hands()
+              .with(KeyEvent.VK_SHIFT, () -> screen.hands().drag(view, at(3, 4), at(8, 2), LEFT));
           camera = held(camera).panned(5, -2);
           assertSees(camera);
-          screen.drag(view, at(3, 4), at(13, 2), MIDDLE);
+          screen.hands().drag(view, at(3, 4), at(13, 2), MIDDLE);
           camera = held(camera).panned(10, -2);
           assertSees(camera);
-          screen.key(KeyEvent.VK_R);
+          screen.hands().key(KeyEvent.VK_R);
           assertSees(scene.camera());
         });
   }
@@ -115,11 +117,11 @@ class WindowCameraTest {
   void theWheelGoesNearerAndRolls() throws Exception {
     open(
         () -> {
-          screen.moveTo(view, 100, 100);
-          screen.wheel(2);
+          screen.hands().moveTo(view, 100, 100);
+          screen.hands().wheel(2);
           Camera camera = held(held(scene.camera()).dollied(1.1)).dollied(1.1);
           assertSees(camera);
-          screen.with(KeyEvent.VK_SHIFT, () -> screen.wheel(-1));
+          screen.hands().with(KeyEvent.VK_SHIFT, () -> screen.hands().wheel(-1));
           assertSees(held(camera).rolled(-5));
         });
   }
@@ -130,10 +132,12 @@ class WindowCameraTest {
         () -> {
           int[] before = screen.middle(view, scene.width(), scene.height());
           Point there = at(80, 60);
-          screen.with(KeyEvent.VK_CONTROL, () -> screen.drag(view, at(20, 15), there, LEFT));
-          screen.moveTo(view, there.x, there.y);
+          screen
+              .hands()
+              .with(KeyEvent.VK_CONTROL, () -> screen.hands().drag(view, at(20, 15), there, LEFT));
+          screen.hands().moveTo(view, there.x, there.y);
           assertEquals("20, 15:", screen.text("pixel").substring(0, 7));
-          screen.key(KeyEvent.VK_1);
+          screen.hands().key(KeyEvent.VK_1);
           assertEquals(
               Arrays.hashCode(before),
               Arrays.hashCode(screen.middle(view, scene.width(), scene.height())));
@@ -147,14 +151,14 @@ class WindowCameraTest {
     open(
         () -> {
           while (cameraText().equals(CameraText.of(scene.camera()))) {
-            screen.doubleClick(view, at(28, 22).x, at(28, 22).y);
+            screen.hands().doubleClick(view, at(28, 22).x, at(28, 22).y);
             Thread.sleep(1000); // on a busy machine the clicks may be too far apart
           }
           RenderSettings one = RenderSettings.of(scene).sampled(1, 0);
           Replay.Sample sample = new Replay(Prepared.of(scene), one, 28, 22).sample(0);
           Camera camera = held(scene.camera()).aimed(sample.tree().met().get().point());
           assertSees(camera);
-          screen.key(KeyEvent.VK_I);
+          screen.hands().key(KeyEvent.VK_I);
           double way = 15 * StrictMath.sin(StrictMath.toRadians(5));
           assertSees(held(camera).orbited(20, 15, 20, 15 + way));
         });
@@ -165,7 +169,7 @@ class WindowCameraTest {
     open(
         () -> {
           Path file = dir.resolve("a.yaml");
-          screen.key(KeyEvent.VK_PERIOD);
+          screen.hands().key(KeyEvent.VK_PERIOD);
           Camera camera = held(scene.camera()).rolled(5);
           assertSees(camera);
           Files.writeString(file, Files.readString(file).replace("radius: 1", "radius: 0.75"));

@@ -39,20 +39,20 @@ class WindowEditTest {
       JList<?> list = screen.part("scenes", JList.class);
       JList<?> problems = screen.part("problems", JList.class);
       screen.awaitStatus("done");
-      screen.key(KeyEvent.VK_DOWN);
+      screen.hands().key(KeyEvent.VK_DOWN);
       screen.await("two", () -> screen.frame().getTitle().startsWith("two"));
       screen.awaitStatus("done");
-      screen.key(KeyEvent.VK_1);
+      screen.hands().key(KeyEvent.VK_1);
       int[] before = shown(screen);
       Files.writeString(file, good.replace("radius: 1", "radius: 0"));
       screen.await("the problem", () -> problems.getModel().getSize() == 2);
       assertEquals(2, list.getModel().getSize());
-      screen.key(KeyEvent.VK_1);
+      screen.hands().key(KeyEvent.VK_1);
       assertArrayEquals(before, shown(screen));
       Files.writeString(file, good.replace("radius: 1", "radius: 0.5"));
       screen.awaitShown("another image", () -> !Arrays.equals(before, shown(screen)));
       screen.awaitStatus("done");
-      screen.key(KeyEvent.VK_1);
+      screen.hands().key(KeyEvent.VK_1);
       assertArrayEquals(batch(file, 1), shown(screen));
       assertEquals(0, problems.getModel().getSize());
       assertEquals(1, list.getSelectedIndex());
@@ -68,7 +68,7 @@ class WindowEditTest {
     Files.writeString(file, Files.readString(file) + "      - mesh: {file: model.obj}\n");
     try (OnScreen screen = new OnScreen(List.of(file), SOURCE)) {
       screen.awaitStatus("done");
-      screen.key(KeyEvent.VK_1);
+      screen.hands().key(KeyEvent.VK_1);
       int[] before = shown(screen);
       Files.writeString(model, triangle.replace("v 0 2 0", "v 0 5 0"));
       screen.awaitShown("another image", () -> !Arrays.equals(before, shown(screen)));
@@ -91,7 +91,7 @@ class WindowEditTest {
       screen.await("the problem", () -> problems.getModel().getSize() == 1);
       String line = problems.getModel().getElementAt(0).toString();
       screen.await("its place", problems::isShowing);
-      screen.click(problems);
+      screen.hands().click(problems);
       screen.await("the editor", () -> Files.exists(opened));
       screen.await("its line", () -> read(opened).endsWith("\n"));
       String command = read(opened).trim();

@@ -55,16 +55,16 @@ class WindowImageTest {
     Run.of("render", file, "--out", batch);
     try (OnScreen screen = new OnScreen(List.of(file), SOURCE)) {
       screen.awaitStatus("done");
-      screen.command(KeyEvent.VK_S);
+      screen.hands().command(KeyEvent.VK_S);
       screen.choose(dir.resolve("saved.png"));
       screen.await(
           "the PNG", () -> screen.text("notice").equals("saved " + dir.resolve("saved.png")));
       assertArrayEquals(bytes(batch.resolve("one.png")), bytes(dir.resolve("saved.png")));
-      screen.command(KeyEvent.VK_S);
+      screen.hands().command(KeyEvent.VK_S);
       screen.choose(dir.resolve("saved.pfm"));
       screen.await("the PFM", () -> screen.text("notice").endsWith("saved.pfm"));
       assertArrayEquals(bytes(out.resolve("one.pfm")), bytes(dir.resolve("saved.pfm")));
-      screen.command(KeyEvent.VK_S);
+      screen.hands().command(KeyEvent.VK_S);
       screen.choose(dir.resolve("missing").resolve("saved.png"));
       screen.await("why not", () -> screen.text("notice").startsWith("cannot save: "));
       assertTrue(screen.text("notice").endsWith("no such file or folder"), screen.text("notice"));
@@ -75,7 +75,7 @@ class WindowImageTest {
   void whatIsShownIsCopied() throws Exception {
     try (OnScreen screen = new OnScreen(List.of(file), SOURCE)) {
       screen.awaitStatus("done");
-      screen.command(KeyEvent.VK_C);
+      screen.hands().command(KeyEvent.VK_C);
       screen.await("the notice", () -> screen.text("notice").equals("copied 40x30 pixels"));
       Object copied =
           Toolkit.getDefaultToolkit().getSystemClipboard().getData(DataFlavor.imageFlavor);
@@ -88,7 +88,7 @@ class WindowImageTest {
   void anotherImageStandsBesideOrIsSubtractedAndMeasured() throws Exception {
     try (OnScreen screen = new OnScreen(List.of(file), SOURCE)) {
       screen.awaitStatus("done");
-      screen.key(KeyEvent.VK_B);
+      screen.hands().key(KeyEvent.VK_B);
       screen.choose(out.resolve("two.pfm"));
       screen.await("a measure", () -> screen.text("metrics").startsWith("RMSE"));
       Image two = pfm("two");
@@ -105,19 +105,19 @@ class WindowImageTest {
                       c.levelsMax())),
           screen.text("metrics"));
       JSlider divider = screen.part("divider", JSlider.class);
-      OnScreen.on(
+      EventThread.on(
           () -> {
             divider.setValue(0);
             return null;
           });
       screen.awaitShown("the other", () -> Arrays.equals(two.toArgb(Transfer.SRGB), shown(screen)));
-      OnScreen.on(
+      EventThread.on(
           () -> {
             divider.setValue(divider.getMaximum());
             return null;
           });
       screen.awaitShown("the render", () -> Arrays.equals(batch(0), shown(screen)));
-      screen.key(KeyEvent.VK_X);
+      screen.hands().key(KeyEvent.VK_X);
       int[] order = order(Errors.ofPixels(one, two, Transfer.SRGB));
       screen.awaitShown("the difference", () -> isRising(shown(screen), order));
     }
@@ -128,12 +128,12 @@ class WindowImageTest {
     try (OnScreen screen = new OnScreen(List.of(file), SOURCE)) {
       screen.awaitStatus("done");
       for (String map : List.of("error", "samples")) {
-        screen.key(map.equals("error") ? KeyEvent.VK_E : KeyEvent.VK_N);
+        screen.hands().key(map.equals("error") ? KeyEvent.VK_E : KeyEvent.VK_N);
         double[] rgb = pfm("one." + map).rgb();
         int[] order = order(IntStream.range(0, 1200).mapToDouble(i -> rgb[3 * i]).toArray());
         screen.awaitShown(map, () -> isRising(shown(screen), order));
       }
-      screen.key(KeyEvent.VK_P);
+      screen.hands().key(KeyEvent.VK_P);
       screen.awaitShown("the picture", () -> Arrays.equals(batch(0), shown(screen)));
     }
   }
@@ -163,7 +163,7 @@ class WindowImageTest {
   }
 
   private static int[] shown(OnScreen screen) {
-    screen.key(KeyEvent.VK_1);
+    screen.hands().key(KeyEvent.VK_1);
     Component view = screen.part("picture", JComponent.class);
     return screen.middle(view, 40, 30);
   }

@@ -61,10 +61,10 @@ class WindowKeysTest {
     Path file = Scenes.write(dir.resolve("a.yaml"), "one");
     try (OnScreen screen = new OnScreen(List.of(file), SOURCE)) {
       screen.awaitStatus("done");
-      Set<Component> reached = OnScreen.on(() -> reached(screen.frame()));
+      Set<Component> reached = EventThread.on(() -> reached(screen.frame()));
       assertTrue(reached.contains(screen.part("scenes", JComponent.class)));
       List<String> nameless = new ArrayList<>();
-      OnScreen.on(
+      EventThread.on(
           () -> {
             walk(screen.frame().getRootPane(), reached, nameless);
             return null;
@@ -89,10 +89,10 @@ class WindowKeysTest {
     Path file = Scenes.write(dir.resolve("a.yaml"), "one");
     try (OnScreen screen = new OnScreen(List.of(file), SOURCE)) {
       screen.awaitStatus("done");
-      screen.key(KeyEvent.VK_F1);
+      screen.hands().key(KeyEvent.VK_F1);
       screen.await("the sheet", () -> sheets() == 1);
       screen.await("its focus", () -> !screen.frame().isFocused());
-      screen.key(KeyEvent.VK_ESCAPE);
+      screen.hands().key(KeyEvent.VK_ESCAPE);
       screen.await("no sheet", () -> sheets() == 0);
     }
   }
@@ -102,11 +102,11 @@ class WindowKeysTest {
     Path file = Scenes.write(dir.resolve("a.yaml"), "one");
     try (OnScreen screen = new OnScreen(List.of(file), SOURCE)) {
       screen.awaitStatus("done");
-      screen.key(KeyEvent.VK_D);
+      screen.hands().key(KeyEvent.VK_D);
       screen.await("the dark", () -> UIManager.getLookAndFeel().getName().contains("Dark"));
-      screen.key(KeyEvent.VK_E);
+      screen.hands().key(KeyEvent.VK_E);
       screen.await("a legend", screen.part("legend", JComponent.class)::isShowing);
-      assertEquals(List.of(), OnScreen.on(() -> light(screen.frame().getRootPane())));
+      assertEquals(List.of(), EventThread.on(() -> light(screen.frame().getRootPane())));
     }
   }
 

@@ -42,14 +42,14 @@ class WindowMemoryTest {
     int side = 260;
     try (OnScreen screen = new OnScreen(List.of(file), desk)) {
       screen.awaitStatus("done");
-      screen.key(KeyEvent.VK_D);
-      OnScreen.on(
+      screen.hands().key(KeyEvent.VK_D);
+      EventThread.on(
           () -> {
             screen.frame().setBounds(bounds);
             return null;
           });
       screen.await("its place", () -> screen.frame().getBounds().equals(bounds));
-      OnScreen.on(
+      EventThread.on(
           () -> {
             JSplitPane inner = split(screen, "side");
             split(screen, "scenes").setDividerLocation(list);

@@ -37,21 +37,21 @@ class WindowRaysTest {
       Component view = screen.part("picture", JComponent.class);
       JTree tree = screen.part("rays", JTree.class);
       screen.awaitStatus("done");
-      screen.key(KeyEvent.VK_1);
+      screen.hands().key(KeyEvent.VK_1);
       int[] before = screen.middle(view, 40, 30);
       int left = (int) Math.rint((view.getWidth() - 40) / 2.0);
       int top = (int) Math.rint((view.getHeight() - 30) / 2.0);
-      screen.click(view, left + 17, top + 13);
+      screen.hands().click(view, left + 17, top + 13);
       screen.await("the rays", () -> tree.getModel().getRoot() != null);
       RayTree rays = assertTells(tree, scene, 17, 13);
       assertTrue(rays.rays().size() > 1, "it meets the mirror");
       assertTrue(!Arrays.equals(before, screen.middle(view, 40, 30)), "their way is drawn");
 
-      screen.with(KeyEvent.VK_ALT, () -> screen.key(KeyEvent.VK_RIGHT));
+      screen.hands().with(KeyEvent.VK_ALT, () -> screen.hands().key(KeyEvent.VK_RIGHT));
       screen.await("the next", () -> screen.text("rays of").contains("Pixel 18, 13"));
       assertTells(tree, scene, 18, 13);
 
-      screen.key(KeyEvent.VK_L);
+      screen.hands().key(KeyEvent.VK_L);
       screen.await("nothing", () -> tree.getModel().getRoot() == null);
     }
   }
@@ -65,7 +65,7 @@ class WindowRaysTest {
     RayTreeText.of(prepared, rays).forEach(line -> expected.add(line.trim()));
     expected.remove(expected.size() - 1);
     List<String> actual =
-        OnScreen.on(
+        EventThread.on(
             () -> {
               List<String> words = new ArrayList<>();
               DefaultMutableTreeNode root = (DefaultMutableTreeNode) tree.getModel().getRoot();

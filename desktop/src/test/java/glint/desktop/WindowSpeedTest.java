@@ -28,16 +28,16 @@ class WindowSpeedTest {
     try (OnScreen screen = new OnScreen(List.of(file), SOURCE)) {
       screen.awaitStatus("done");
       JButton button = screen.part("measure", JButton.class);
-      screen.key(KeyEvent.VK_M);
+      screen.hands().key(KeyEvent.VK_M);
       screen.await("a first image", () -> screen.text("measuring").startsWith("image"));
       assertEquals("Cancel", button.getText());
-      screen.key(KeyEvent.VK_DOWN);
+      screen.hands().key(KeyEvent.VK_DOWN);
       screen.await("two", () -> screen.frame().getTitle().startsWith("two"));
       screen.awaitStatus("done");
       assertEquals("Measure", button.getText());
-      screen.click(button);
+      screen.hands().click(button);
       screen.await("a first image", () -> screen.text("measuring").startsWith("image"));
-      screen.click(button);
+      screen.hands().click(button);
       assertEquals("cancelled", screen.text("measuring"));
     }
   }

@@ -48,11 +48,11 @@ class WindowTest {
         String name = picked.scene().name();
         screen.await(name, () -> screen.frame().getTitle().startsWith(name));
         screen.awaitStatus("done");
-        screen.key(KeyEvent.VK_1);
+        screen.hands().key(KeyEvent.VK_1);
         Image batch = image(picked.scene());
         int[] expected = batch.toArgb(picked.scene().transfer());
         assertArrayEquals(expected, screen.middle(view, batch.width(), batch.height()), name);
-        screen.key(KeyEvent.VK_DOWN);
+        screen.hands().key(KeyEvent.VK_DOWN);
       }
     }
   }
@@ -63,15 +63,15 @@ class WindowTest {
     try (OnScreen screen = new OnScreen(List.of(GALLERY), file -> gallery)) {
       JButton pause = screen.part("Pause", JButton.class);
       screen.awaitStatus("rendering");
-      screen.click(pause);
+      screen.hands().click(pause);
       screen.awaitStatus("paused");
       assertEquals("Continue", pause.getText());
       String status = screen.text("status");
       Thread.sleep(300);
       assertEquals(status, screen.text("status"));
-      screen.key(KeyEvent.VK_SPACE);
+      screen.hands().key(KeyEvent.VK_SPACE);
       screen.awaitStatus("rendering");
-      screen.key(KeyEvent.VK_ESCAPE);
+      screen.hands().key(KeyEvent.VK_ESCAPE);
       screen.awaitStatus("stopped");
       assertFalse(pause.isEnabled());
     }
@@ -91,20 +91,20 @@ class WindowTest {
     SceneSource source = each -> WindowCommand.read(each, err());
     try (OnScreen screen = new OnScreen(List.of(file), source)) {
       screen.awaitStatus("done");
-      screen.key(KeyEvent.VK_1);
+      screen.hands().key(KeyEvent.VK_1);
       Component view = screen.part("picture", JComponent.class);
       Scene scene = source.read(file).scenes().get(0).scene();
       double[] rgb = image(scene).rgb();
       int left = (int) Math.rint((view.getWidth() - scene.width()) / 2.0);
       int top = (int) Math.rint((view.getHeight() - scene.height()) / 2.0);
-      screen.moveTo(view, left + 20, top + 15);
+      screen.hands().moveTo(view, left + 20, top + 15);
       int i = 3 * (15 * scene.width() + 20);
       String value =
           String.format(Locale.ROOT, "20, 15: %.5f %.5f %.5f", rgb[i], rgb[i + 1], rgb[i + 2]);
       assertEquals(value, screen.text("pixel"));
-      screen.with(KeyEvent.VK_CONTROL, () -> screen.wheel(-3));
+      screen.hands().with(KeyEvent.VK_CONTROL, () -> screen.hands().wheel(-3));
       assertEquals(value, screen.text("pixel"));
-      screen.moveTo(view, 2, 2);
+      screen.hands().moveTo(view, 2, 2);
       assertEquals(" ", screen.text("pixel"));
     }
   }
@@ -136,11 +136,11 @@ class WindowTest {
       JList<?> list = screen.part("scenes", JList.class);
       screen.await("the first", () -> list.getModel().getSize() == 2);
       assertEquals("two", screen.line(list, 1));
-      assertTrue(screen.drop(screen.frame(), List.of(second)));
+      assertTrue(screen.hands().drop(screen.frame(), List.of(second)));
       screen.await("the second", () -> list.getModel().getSize() == 4);
       assertTrue(screen.frame().getTitle().startsWith("three"), screen.frame().getTitle());
       Scenes.write(first, "five");
-      assertTrue(screen.drop(screen.frame(), List.of(first)));
+      assertTrue(screen.hands().drop(screen.frame(), List.of(first)));
       screen.await("the change", () -> list.getModel().getSize() == 3);
       assertTrue(screen.frame().getTitle().startsWith("five"), screen.frame().getTitle());
       screen.awaitStatus("done");

@@ -11,9 +11,7 @@ import java.io.IOException;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.concurrent.CountDownLatch;
-import javax.swing.Action;
 import javax.swing.Box;
-import javax.swing.JButton;
 import javax.swing.JFrame;
 import javax.swing.JMenu;
 import javax.swing.JPanel;
@@ -45,15 +43,13 @@ public final class GlintWindow {
   private final JScrollPane list = new JScrollPane();
   private final OpenFiles files;
   private final ImageCommands images;
+  private final RenderCommands render;
   private final Editor editor;
   private final CountDownLatch closed = new CountDownLatch(1);
-  private JButton pause;
-  private JButton stop;
   private Theme theme;
   private Image linear;
   private Point pointer;
   private Dimension size;
-  private boolean paused;
 
   private GlintWindow(Desk desk, Remembered memory, Theme theme) {
     this.memory = memory;
@@ -63,6 +59,7 @@ public final class GlintWindow {
     files = new OpenFiles(desk.scenes(), scenes, problems, workers, thumbnails);
     ImageWork work = new ImageWork(desk.images(), workers, notice);
     images = new ImageCommands(viewing, work, dialogs, view::picture);
+    render = new RenderCommands(stage, side::measure);
     editor = new Editor(desk.environment());
   }
 
@@ -138,10 +135,7 @@ public final class GlintWindow {
     controls.item("Next problem", "F8", problems::openNext);
     controls.item("Close", "menu W, menu Q", frame::dispose);
     controls.gap();
-    controls.menu("Render");
-    pause = controls.add("Pause", "SPACE", this::pauseOrGoOn);
-    stop = controls.add("Stop", "ESCAPE", stage::stop);
-    controls.item("Measure speed", "M", side::measure);
+    render.add(controls);
     controls.gap();
     controls.menu("View");
     controls.add("Fit", "F", view::fit);
@@ -201,10 +195,7 @@ public final class GlintWindow {
     side.show(snapshot);
     linear = snapshot.linear().orElse(moving ? null : linear);
     status.show(snapshot);
-    paused = snapshot.state() == Snapshot.State.PAUSED;
-    pause.getAction().putValue(Action.NAME, paused ? "Continue" : "Pause");
-    pause.getAction().setEnabled(!snapshot.state().isOver());
-    stop.getAction().setEnabled(!snapshot.state().isOver());
+    render.show(snapshot.state());
     point(pointer);
   }
 
@@ -212,10 +203,6 @@ public final class GlintWindow {
     if (size != null) {
       view.show(picture, size);
     }
-  }
-
-  private void pauseOrGoOn() {
-    stage.pause(!paused);
   }
 
   /** While something is measured, nothing else is done. */
