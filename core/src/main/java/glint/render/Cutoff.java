@@ -11,6 +11,9 @@ final class Cutoff {
   /** Rays to try it with, in each direction of the image. */
   private static final int TRIALS = 32;
 
+  /** To follow twice as much is worth one of so many parts of that share. */
+  private static final double WORTH = 4;
+
   /** Less than this is never cut off: far below what any image shows. */
   private static final double LEAST = 0x1p-40;
 
@@ -20,24 +23,31 @@ final class Cutoff {
    * Returns the radiance below which a bounce is not followed, such that a sparse sample of the
    * image loses no more than its share of the error.
    *
-   * <p>Where radiance has no bound, nothing is known of what is lost, and nothing to gain.
+   * <p>Where radiance has no bound, nothing is known of what is lost, and nothing to gain. What is
+   * lost at the limit of bounces stays lost: it shows by how little is gained by following more.
    *
    * @param levels the error accepted; if 0, as if it were a tenth
    */
   static double find(Prepared scene, RenderSettings settings, double levels, LevelScale scale) {
     double accepted = levels > 0 ? levels : 0.1;
+    double share = SHARE * accepted;
     double negligible = Math.min(settings.negligible(), accepted / 255);
-    while (scene.radianceBound() < Double.POSITIVE_INFINITY
-        && negligible > LEAST
-        && lost(new Probe(scene, settings.following(negligible)), settings, scale)
-            > SHARE * accepted) {
+    boolean bounded = scene.radianceBound() < Double.POSITIVE_INFINITY;
+    double gained = Double.POSITIVE_INFINITY;
+    boolean tried = bounded && negligible > LEAST;
+    double lost = tried ? lost(scene, settings.following(negligible), scale) : 0;
+    while (lost > share && gained > share / WORTH && negligible > LEAST) {
       negligible /= 2;
+      double less = lost(scene, settings.following(negligible), scale);
+      gained = lost - less;
+      lost = less;
     }
     return negligible;
   }
 
   /** Returns the RMS of what is lost at most, in levels. */
-  private static double lost(Probe probe, RenderSettings settings, LevelScale scale) {
+  private static double lost(Prepared scene, RenderSettings settings, LevelScale scale) {
+    Probe probe = new Probe(scene, settings);
     int columns = Math.min(TRIALS, settings.width());
     int rows = Math.min(TRIALS, settings.height());
     double sum = 0;
