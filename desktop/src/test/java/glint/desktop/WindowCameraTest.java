@@ -2,6 +2,8 @@ package glint.desktop;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 
+import glint.desktop.window.Picked;
+import glint.desktop.window.SceneSource;
 import glint.io.CameraText;
 import glint.render.RenderSettings;
 import glint.render.Replay;
@@ -11,6 +13,7 @@ import glint.scene.Prepared;
 import glint.scene.Scene;
 import java.awt.Component;
 import java.awt.Point;
+import java.awt.Robot;
 import java.awt.Toolkit;
 import java.awt.datatransfer.DataFlavor;
 import java.awt.datatransfer.UnsupportedFlavorException;
@@ -162,6 +165,27 @@ class WindowCameraTest {
           double way = 15 * StrictMath.sin(StrictMath.toRadians(5));
           assertSees(held(camera).orbited(20, 15, 20, 15 + way));
         });
+  }
+
+  @Test
+  void escapeEndsTheWayOfTheCameraWithoutARender() throws Exception {
+    SceneSource.Found gallery = WindowTest.read(WindowTest.GALLERY);
+    List<Picked> slow =
+        gallery.scenes().stream().filter(p -> p.scene().name().equals("glass-still-life")).toList();
+    SceneSource.Found found = new SceneSource.Found(slow, List.of(), gallery.parts());
+    try (OnScreen opened = new OnScreen(List.of(WindowTest.GALLERY), file -> found)) {
+      opened.awaitStatus("rendering");
+      Robot robot = opened.hands().robot();
+      for (int key : new int[] {KeyEvent.VK_PERIOD, KeyEvent.VK_ESCAPE}) {
+        robot.keyPress(key); // the camera rests soon
+        robot.keyRelease(key);
+      }
+      opened.awaitStatus("stopped");
+      Thread.sleep(500);
+      assertEquals("stopped", opened.text("status").substring(0, 7));
+      opened.hands().key(KeyEvent.VK_PERIOD);
+      opened.awaitStatus("rendering");
+    }
   }
 
   @Test

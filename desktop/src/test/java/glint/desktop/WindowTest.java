@@ -32,7 +32,7 @@ import org.junit.jupiter.api.io.TempDir;
 @Tag("window")
 class WindowTest {
 
-  private static final Path GALLERY = Path.of("..", "scenes", "gallery.yaml");
+  static final Path GALLERY = Path.of("..", "scenes", "gallery.yaml");
 
   @TempDir private Path dir;
 

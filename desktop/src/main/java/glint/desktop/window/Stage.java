@@ -36,6 +36,7 @@ final class Stage {
   private Motion motion;
   private Motion.Frame frame;
   private boolean resting;
+  private boolean stopping;
 
   /**
    * Makes an empty one.
@@ -132,9 +133,9 @@ final class Stage {
       return;
     }
     camera = next;
-    stop();
-    run = null;
+    leave();
     resting = false;
+    stopping = false;
     if (motion == null) {
       Motion[] own = new Motion[1];
       own[0] = new Motion(world, new Latest<>(shown -> show(own[0], shown)));
@@ -178,6 +179,9 @@ final class Stage {
     run = next[0];
     listener.accept(Snapshot.preparing());
     run.start();
+    if (stopping) {
+      run.stop();
+    }
   }
 
   /** Has the render wait, or go on. */
@@ -187,17 +191,29 @@ final class Stage {
     }
   }
 
-  /** Ends the render; what it has shown stays. */
+  /** Ends the render, or that which would follow when the camera rests; what is shown stays. */
   void stop() {
     if (run != null) {
       run.stop();
+    } else if (motion != null) {
+      stopping = true;
+      rest();
+    }
+  }
+
+  /** Ends the render, of which nothing more is heard. */
+  private void leave() {
+    if (run != null) {
+      run.stop();
+      run = null;
     }
   }
 
   /** Ends all that runs. */
   void close() {
-    stop();
+    leave();
     rest.stop();
+    stopping = false;
     if (motion != null) {
       motion.end();
       motion = null;
@@ -211,6 +227,5 @@ final class Stage {
     picked = null;
     world = null;
     camera = null;
-    run = null;
   }
 }
