@@ -14,6 +14,8 @@ import glint.render.Renderer;
 import glint.scene.Prepared;
 import glint.scene.Scene;
 import java.awt.Component;
+import java.awt.Container;
+import java.awt.Rectangle;
 import java.awt.event.KeyEvent;
 import java.io.PrintWriter;
 import java.io.Writer;
@@ -23,6 +25,7 @@ import java.util.List;
 import java.util.Locale;
 import javax.swing.JButton;
 import javax.swing.JComponent;
+import javax.swing.JLabel;
 import javax.swing.JList;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
@@ -74,6 +77,31 @@ class WindowTest {
       screen.hands().key(KeyEvent.VK_ESCAPE);
       screen.awaitStatus("stopped");
       assertFalse(pause.isEnabled());
+    }
+  }
+
+  @Test
+  void everyButtonIsSeenInANarrowWindow() throws Exception {
+    Path file = Scenes.write(dir.resolve("a.yaml"), "one");
+    try (OnScreen screen = new OnScreen(List.of(file), WindowTest::read)) {
+      screen.awaitStatus("done");
+      Container bar = screen.part("Reset camera", JButton.class).getParent();
+      for (int width : new int[] {1200, 800, 500}) {
+        EventThread.on(
+            () -> {
+              screen.frame().setSize(width, 500);
+              screen.frame().validate();
+              return null;
+            });
+        screen.await("its width", () -> bar.getWidth() == screen.frame().getWidth());
+        Rectangle room = new Rectangle(bar.getSize());
+        for (Component part : bar.getComponents()) {
+          assertTrue(room.contains(part.getBounds()), width + ": " + part);
+          boolean whole = part.getWidth() >= part.getPreferredSize().width;
+          assertTrue(whole || part instanceof JLabel, width + ": " + part);
+        }
+        assertEquals(width == 500 ? 2 : 1, bar.getHeight() / bar.getComponent(0).getHeight());
+      }
     }
   }
 

@@ -42,6 +42,7 @@ final class Controls {
   Controls(JRootPane root) {
     this.root = root;
     bar.setFloatable(false);
+    bar.setLayout(new Rows());
     root.setJMenuBar(menus);
   }
 
@@ -122,7 +123,7 @@ final class Controls {
   private <B extends AbstractButton> B button(B button, String text, String keys) {
     button.setName(text);
     button.setFocusable(false);
-    button.setMargin(new Insets(4, 8, 4, 8));
+    button.setMargin(new Insets(4, 5, 4, 5));
     button.setToolTipText(text + " (" + Keys.words(Keys.of(keys).get(0)) + ")");
     if (barGap) {
       bar.addSeparator();

@@ -11,7 +11,6 @@ import java.io.IOException;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.concurrent.CountDownLatch;
-import javax.swing.Box;
 import javax.swing.JFrame;
 import javax.swing.JMenu;
 import javax.swing.JPanel;
@@ -93,7 +92,6 @@ public final class GlintWindow {
     new Hand(view, stage, rays::clicked, rays::doubleClicked);
     Controls controls = new Controls(frame.getRootPane());
     addCommands(controls);
-    controls.bar().add(Box.createHorizontalGlue());
     controls.bar().add(notice);
     list.setViewportView(scenes);
     list.setMinimumSize(new Dimension(120, 100));

@@ -1,5 +1,6 @@
 package glint.desktop.window;
 
+import java.awt.Dimension;
 import javax.swing.BorderFactory;
 import javax.swing.JLabel;
 import javax.swing.Timer;
@@ -15,10 +16,16 @@ final class Notice extends JLabel {
 
   /** Makes one that says nothing. */
   Notice() {
-    super(" ");
+    super(" ", TRAILING);
     setName("notice");
     setBorder(BorderFactory.createEmptyBorder(0, 10, 0, 10));
     timer.setRepeats(false);
+  }
+
+  /** Returns that it takes whatever room there is: a text that is cut has a tip. */
+  @Override
+  public Dimension getMinimumSize() {
+    return new Dimension(0, super.getMinimumSize().height);
   }
 
   /** Says something, in place of what was said before. */
