@@ -17,9 +17,6 @@ final class GlintPeer implements Peer {
   private static final OperatingSystemMXBean SYSTEM =
       ManagementFactory.getPlatformMXBean(OperatingSystemMXBean.class);
 
-  /** The reference takes so many samples of every pixel, as those of the others do. */
-  private static final int FINE = 256;
-
   /** What the reference does not follow. */
   private static final double NEGLIGIBLE = 1e-5;
 
@@ -65,8 +62,8 @@ final class GlintPeer implements Peer {
   }
 
   @Override
-  public Image reference() {
-    RenderSettings fine = settings.sampled(FINE, -1).following(NEGLIGIBLE);
-    return new Renderer(scene, fine).render(Progress.NONE).image();
+  public Image reference(int fine) {
+    RenderSettings sampled = settings.sampled(fine * fine, -1).following(NEGLIGIBLE);
+    return new Renderer(scene, sampled).render(Progress.NONE).image();
   }
 }

@@ -21,13 +21,13 @@ final class KeptReference {
 
   private KeptReference() {}
 
-  /** Returns the reference of a scene. */
-  static Image of(Peer peer, String scene, Path folder) throws IOException {
+  /** Returns the reference of a scene, of so many by so many rays in every pixel. */
+  static Image of(Peer peer, String scene, int fine, Path folder) throws IOException {
     Image first = peer.render(peer.settings().get(0)).image();
     String hash = Integer.toHexString(Arrays.hashCode(first.rgb()));
-    Path file = folder.resolve(scene + "-" + peer.name() + "-" + hash + ".pfm");
+    Path file = folder.resolve(scene + "-" + peer.name() + "-" + fine + "-" + hash + ".pfm");
     if (!Files.exists(file)) {
-      Image found = peer.reference();
+      Image found = peer.reference(fine);
       try (OutputStream out = new BufferedOutputStream(Files.newOutputStream(file))) {
         Pfm.write(found, out);
       }

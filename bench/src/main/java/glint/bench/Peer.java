@@ -18,7 +18,7 @@ interface Peer {
   /** Returns what it is called. */
   String name();
 
-  /** Returns the settings that are tried, the first being a fast one. */
+  /** Returns the settings that are tried, the fast ones first. */
   List<String> settings();
 
   /** Returns whether it is compiled while it runs, and faster after a while. */
@@ -27,6 +27,10 @@ interface Peer {
   /** Renders on one thread. */
   Run render(String setting) throws IOException;
 
-  /** Returns what its images should be: a long run of its own. */
-  Image reference() throws IOException;
+  /**
+   * Returns what its images should be: a long run of its own.
+   *
+   * @param fine a power of two; so many by so many rays are traced in every pixel
+   */
+  Image reference(int fine) throws IOException;
 }

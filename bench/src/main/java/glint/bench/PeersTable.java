@@ -13,6 +13,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
 import java.util.OptionalDouble;
+import java.util.stream.DoubleStream;
 import javax.imageio.ImageIO;
 
 /**
@@ -24,11 +25,21 @@ public final class PeersTable {
   private static final int WIDTH = 320;
   private static final int HEIGHT = 240;
 
+  private static final int FILES = 3;
+
+  /** References take so many by so many rays in a pixel, and more where these differ too much. */
+  private static final int FINE = 16;
+
+  private static final int FINER = 32;
+
   /** Renders of each setting, by turns; the fastest counts, as what else runs only slows down. */
   private static final int TURNS = 2;
 
   /** CPU seconds of renders in a turn at least: clocks count in hundredths. */
   private static final double TURN = 0.3;
+
+  /** CPU seconds of a setting after which no slower ones are tried. */
+  private static final double PATIENCE = 20;
 
   /** CPU seconds of renders before the turns, for what is compiled while it runs. */
   private static final double WARM_UP = 10;
@@ -49,26 +60,32 @@ public final class PeersTable {
   /**
    * Prints the tables; exits with 1 if a renderer is missing or shows another picture.
    *
-   * @param args names of scenes, then the commit, the folder of the scenes, and that for images
+   * @param args names of scenes, then the commit, the folder of POV-Ray's scenes, that for images,
+   *     and {@link #FILES} files of Glint's scenes
    */
   public static void main(String[] args) throws IOException {
-    int named = args.length - 3;
-    Path folder = Path.of(args[named + 1]);
+    int named = args.length - FILES - 3;
     Path out = Files.createDirectories(Path.of(args[named + 2]));
-    Povray povray = new Povray(folder, out.resolve("povray.log"));
+    Povray povray = new Povray(Path.of(args[named + 1]), out.resolve("povray.log"));
     List<String> names = List.of(args).subList(0, named);
+    List<Scene> scenes = new ArrayList<>();
     boolean good = true;
     try {
       System.out.printf(
           "%s and Sunflow against Glint: %s, load %s.%n",
           povray.version(), Machine.with(args[named]), Machine.load());
-      for (Scene scene : Scenes.read(folder.resolve("scenes.yaml"))) {
+      for (String file : List.of(args).subList(named + 3, args.length)) {
+        scenes.addAll(Scenes.read(Path.of(file)));
+      }
+      for (Scene scene : scenes) {
         if (names.contains(scene.name())) {
           Peer glint = new GlintPeer(scene, WIDTH, HEIGHT);
-          Peer pov = new PovrayPeer(povray, scene.name(), WIDTH, HEIGHT);
+          Peer pov = new PovrayPeer(povray, scene, WIDTH, HEIGHT);
           PeersTable table = new PeersTable(List.of(glint, pov, sunflow(scene)));
           System.out.printf("%n## %s%n%n", scene.title());
-          good &= table.samePicture(scene.name(), out);
+          good &=
+              table.samePicture(scene.name(), FINE, out)
+                  || table.samePicture(scene.name(), FINER, out);
           table.measure();
           table.print();
         }
@@ -92,10 +109,11 @@ public final class PeersTable {
   }
 
   /** Finds the references, keeps them as pictures, and prints how far they are apart. */
-  private boolean samePicture(String scene, Path out) throws IOException {
+  private boolean samePicture(String scene, int fine, Path out) throws IOException {
     double most = 0;
+    truths.clear();
     for (Peer peer : peers) {
-      Image truth = KeptReference.of(peer, scene, out);
+      Image truth = KeptReference.of(peer, scene, fine, out);
       File file = out.resolve(scene + "-" + peer.name() + ".png").toFile();
       ImageIO.write(PovrayTable.picture(truth), "png", file);
       for (Image other : truths) {
@@ -104,7 +122,10 @@ public final class PeersTable {
       truths.add(truth);
     }
     System.out.printf(
-        Locale.ROOT, "The references are at most %.2f levels apart (RMSE).%n%n", most);
+        Locale.ROOT,
+        "The references of %d rays a pixel are at most %.2f levels apart (RMSE).%n%n",
+        fine * fine,
+        most);
     return most <= SAME;
   }
 
@@ -118,17 +139,29 @@ public final class PeersTable {
     }
     for (int turn = 0; turn < TURNS; turn++) {
       for (int i = 0; i < peers.size(); i++) {
-        List<String> settings = peers.get(i).settings();
-        for (int k = 0; k < settings.size(); k++) {
-          Peer.Run run = turn(peers.get(i), settings.get(k));
-          double levels = Errors.between(run.image(), truths.get(i), TRANSFER).levels();
-          if (turn == 0) {
-            points.get(i).add(new Point(settings.get(k), levels, run.seconds()));
-          } else if (run.seconds() < points.get(i).get(k).seconds()) {
-            points.get(i).set(k, new Point(settings.get(k), levels, run.seconds()));
+        List<Point> of = points.get(i);
+        if (turn == 0) {
+          first(peers.get(i), truths.get(i), of);
+        } else {
+          for (int k = 0; k < of.size(); k++) {
+            Point point = of.get(k);
+            double seconds = turn(peers.get(i), point.setting()).seconds();
+            double faster = Math.min(seconds, point.seconds());
+            of.set(k, new Point(point.setting(), point.levels(), faster));
           }
         }
       }
+    }
+  }
+
+  /** Measures settings until they take too long. */
+  private static void first(Peer peer, Image truth, List<Point> points) throws IOException {
+    double seconds = 0;
+    for (int k = 0; k < peer.settings().size() && seconds < PATIENCE; k++) {
+      Peer.Run run = turn(peer, peer.settings().get(k));
+      seconds = run.seconds();
+      double levels = Errors.between(run.image(), truth, TRANSFER).levels();
+      points.add(new Point(peer.settings().get(k), levels, seconds));
     }
   }
 
@@ -162,18 +195,16 @@ public final class PeersTable {
     for (Point glint : points.get(0)) {
       OptionalDouble povray = EqualError.seconds(points.get(1), glint.levels());
       OptionalDouble sunflow = EqualError.seconds(points.get(2), glint.levels());
-      double faster =
-          Math.min(
-              povray.orElse(Double.POSITIVE_INFINITY), sunflow.orElse(Double.POSITIVE_INFINITY));
+      DoubleStream both = DoubleStream.concat(povray.stream(), sunflow.stream());
       System.out.printf(
           Locale.ROOT,
-          "| %s | %.3f | %.3f | %s | %s | %.2f |%n",
+          "| %s | %.3f | %.3f | %s | %s | %s |%n",
           glint.setting(),
           glint.levels(),
           glint.seconds(),
           text(povray),
           text(sunflow),
-          glint.seconds() / faster);
+          text(both.map(peer -> glint.seconds() / peer).max()));
     }
   }
 

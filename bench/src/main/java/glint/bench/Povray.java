@@ -1,10 +1,14 @@
 package glint.bench;
 
+import glint.geometry.Mesh;
 import glint.image.Image;
 import java.io.BufferedInputStream;
+import java.io.BufferedOutputStream;
 import java.io.DataInputStream;
 import java.io.IOException;
 import java.io.InputStream;
+import java.io.PrintStream;
+import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
@@ -25,7 +29,7 @@ final class Povray {
    * Sets it up.
    *
    * @param folder where its scenes lie
-   * @param log takes what it has to say
+   * @param log takes what it has to say; files beside it can be included in scenes
    */
   Povray(Path folder, Path log) {
     this.folder = folder.toAbsolutePath();
@@ -52,6 +56,30 @@ final class Povray {
     throw new IOException("povray does not say its version: see " + log);
   }
 
+  /** Writes the triangles of a mesh to NAME.inc beside the log. */
+  void write(Mesh mesh, String name) throws IOException {
+    try (PrintStream out =
+        new PrintStream(
+            new BufferedOutputStream(Files.newOutputStream(log.resolveSibling(name + ".inc"))),
+            false,
+            StandardCharsets.US_ASCII)) {
+      out.println("mesh {");
+      double[] c = new double[9];
+      for (int i = 0; i < mesh.triangles(); i++) {
+        mesh.corners(i, c);
+        out.println("triangle { " + point(c, 0) + point(c, 3) + point(c, 6) + "}");
+      }
+      out.println("}");
+      if (out.checkError()) {
+        throw new IOException(name + ".inc could not be written");
+      }
+    }
+  }
+
+  private static String point(double[] c, int at) {
+    return "<" + c[at] + "," + c[at + 1] + "," + c[at + 2] + "> ";
+  }
+
   /**
    * Renders NAME.pov: one ray through the centre of every pixel, linear, 16 bits a channel.
    *
@@ -72,7 +100,8 @@ final class Povray {
     Path out = Files.createTempFile(log.getParent(), name, ".ppm");
     List<String> command = new ArrayList<>(List.of("povray", "+I" + name + ".pov", "+O" + out));
     command.addAll(List.of("+W" + finer * width, "+H" + finer * height));
-    command.addAll(List.of("+FP16", "File_Gamma=1.0", "-D", "-V", "-J", "+WT1"));
+    command.addAll(
+        List.of("+L" + log.getParent(), "+FP16", "File_Gamma=1.0", "-D", "-V", "-J", "+WT1"));
     command.addAll(options);
     run(command);
     try (InputStream in = new BufferedInputStream(Files.newInputStream(out))) {

@@ -1,6 +1,9 @@
 package glint.bench;
 
+import glint.geometry.Mesh;
 import glint.image.Image;
+import glint.scene.Placement;
+import glint.scene.Scene;
 import java.io.IOException;
 import java.util.ArrayList;
 import java.util.List;
@@ -11,9 +14,6 @@ final class PovrayPeer implements Peer {
   /** The share of a ray's light that is not followed; a quarter of what it is by default. */
   private static final String BAILOUT = "Declare=Bailout=0.001";
 
-  /** The reference takes the mean of so many by so many rays. */
-  private static final int FINE = 16;
-
   private static final List<String> THRESHOLDS = List.of("0.2", "0.05", "0.01");
 
   private final Povray povray;
@@ -21,11 +21,16 @@ final class PovrayPeer implements Peer {
   private final int width;
   private final int height;
 
-  PovrayPeer(Povray povray, String scene, int width, int height) {
+  PovrayPeer(Povray povray, Scene scene, int width, int height) throws IOException {
     this.povray = povray;
-    this.scene = scene;
+    this.scene = scene.name();
     this.width = width;
     this.height = height;
+    for (Placement placement : scene.placements()) {
+      if (placement.surface() instanceof Mesh mesh) {
+        povray.write(mesh, scene.name());
+      }
+    }
   }
 
   @Override
@@ -36,12 +41,10 @@ final class PovrayPeer implements Peer {
   @Override
   public List<String> settings() {
     List<String> settings = new ArrayList<>(List.of("-A"));
-    for (String threshold : THRESHOLDS) {
-      for (int depth : new int[] {2, 3, 4, 6}) {
-        settings.add("+AM1 +A" + threshold + " +R" + depth);
-      }
-      for (int depth : new int[] {1, 2, 3}) {
-        settings.add("+AM2 +A" + threshold + " +R" + depth);
+    for (String shape : List.of("1 2", "2 1", "1 3", "2 2", "1 4", "1 6", "2 3", "1 9", "2 4")) {
+      for (String threshold : THRESHOLDS) {
+        String[] methodAndDepth = shape.split(" ");
+        settings.add("+AM" + methodAndDepth[0] + " +A" + threshold + " +R" + methodAndDepth[1]);
       }
     }
     return settings;
@@ -60,7 +63,7 @@ final class PovrayPeer implements Peer {
   }
 
   @Override
-  public Image reference() throws IOException {
-    return povray.render(scene, width, height, FINE, List.of("-A", "Declare=Bailout=0.00001"));
+  public Image reference(int fine) throws IOException {
+    return povray.render(scene, width, height, fine, List.of("-A", "Declare=Bailout=0.00001"));
   }
 }

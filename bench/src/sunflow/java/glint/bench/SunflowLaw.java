@@ -20,6 +20,9 @@ public final class SunflowLaw implements Shader {
   /** By how much a ray that passes a face begins behind it: past where Sunflow lays the point. */
   private static final float BEHIND = 0.004f;
 
+  /** As many bounces as Sunflow's tables of sequences have room for. */
+  static final int DEEPEST = 61;
+
   private static float cutoff;
 
   /** The share of the light at hand that is seen. */
@@ -84,7 +87,7 @@ public final class SunflowLaw implements Shader {
   private static Color traced(
       ShadingState state, float part, Point3 start, float along, float across, boolean mirror) {
     float before = share;
-    if (before * part <= cutoff) {
+    if (before * part <= cutoff || state.getDepth() >= DEEPEST) {
       return Color.black();
     }
     share = before * part;

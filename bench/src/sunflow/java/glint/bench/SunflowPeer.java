@@ -23,8 +23,6 @@ public final class SunflowPeer implements Peer {
 
   private static final float FINE_CUTOFF = 1e-5f;
 
-  private static final String FINE = "aa.min 4 aa.max 4 aa.contrast 0";
-
   private static final OperatingSystemMXBean SYSTEM =
       ManagementFactory.getPlatformMXBean(OperatingSystemMXBean.class);
 
@@ -94,8 +92,10 @@ public final class SunflowPeer implements Peer {
   }
 
   @Override
-  public Image reference() {
-    return render(FINE, FINE_CUTOFF).image();
+  public Image reference(int fine) {
+    int halvings = Integer.numberOfTrailingZeros(fine);
+    String setting = "aa.min " + halvings + " aa.max " + halvings + " aa.contrast 0";
+    return render(setting, FINE_CUTOFF).image();
   }
 
   private Run render(String setting, float cutoff) {
@@ -109,8 +109,8 @@ public final class SunflowPeer implements Peer {
     api.parameter("resolutionX", width);
     api.parameter("resolutionY", height);
     api.parameter("threads", 1);
-    api.parameter("depths.reflection", 256);
-    api.parameter("depths.refraction", 256);
+    api.parameter("depths.reflection", SunflowLaw.DEEPEST);
+    api.parameter("depths.refraction", SunflowLaw.DEEPEST);
     api.parameter("camera", SunflowScene.CAMERA);
     api.options(SunflowAPI.DEFAULT_OPTIONS);
     SunflowLaw.cutOff(cutoff);
