@@ -59,6 +59,7 @@ final class OnScreen implements AutoCloseable {
     robot = new Robot();
     robot.setAutoDelay(20);
     hands = new Hands(robot);
+    await("the keyboard", () -> frame.getFocusOwner() != null);
   }
 
   /** Returns the surroundings of a window that keeps everything in one folder. */
