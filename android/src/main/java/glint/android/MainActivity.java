@@ -31,7 +31,7 @@ public final class MainActivity extends Activity {
     setContentView(R.layout.main);
     message = findViewById(R.id.message);
     Thumbnails kept = (Thumbnails) getLastNonConfigurationInstance();
-    thumbnails = kept == null ? new Thumbnails() : kept;
+    thumbnails = kept == null ? new Thumbnails(new ThumbnailCache(this)) : kept;
     scenes = new SceneAdapter(this);
     ListView list = findViewById(R.id.scenes);
     list.setAdapter(scenes);
@@ -46,7 +46,7 @@ public final class MainActivity extends Activity {
   private void read(Uri next) {
     if (file != null) {
       thumbnails.close();
-      thumbnails = new Thumbnails();
+      thumbnails = new Thumbnails(new ThumbnailCache(this));
     }
     file = next;
     message.setText(R.string.reading);
@@ -60,7 +60,7 @@ public final class MainActivity extends Activity {
     }
     setTitle(title(reading));
     thumbnails.watch(scenes::notifyDataSetChanged);
-    scenes.show(reading.scenes(), thumbnails);
+    scenes.show(reading, thumbnails);
     int wrong = reading.problems().size();
     message.setText(
         getResources().getQuantityString(R.plurals.problems, wrong, wrong)

@@ -16,14 +16,16 @@ final class SceneAdapter extends BaseAdapter {
   private final Context context;
   private Thumbnails thumbnails;
   private List<Scene> scenes = List.of();
+  private String digest;
 
   SceneAdapter(Context context) {
     this.context = context;
   }
 
-  /** Sets the scenes, and where their pictures come from. */
-  void show(List<Scene> newScenes, Thumbnails newThumbnails) {
-    scenes = newScenes;
+  /** Sets whose scenes are listed, and where their pictures come from. */
+  void show(Reading file, Thumbnails newThumbnails) {
+    scenes = file.scenes();
+    digest = file.digest();
     thumbnails = newThumbnails;
     notifyDataSetChanged();
   }
@@ -51,7 +53,7 @@ final class SceneAdapter extends BaseAdapter {
     ((TextView) row.findViewById(R.id.title)).setText(scene.title());
     String size = context.getString(R.string.size, scene.width(), scene.height());
     ((TextView) row.findViewById(R.id.size)).setText(size);
-    ((ImageView) row.findViewById(R.id.thumbnail)).setImageBitmap(thumbnails.of(scene));
+    ((ImageView) row.findViewById(R.id.thumbnail)).setImageBitmap(thumbnails.of(scene, digest));
     return row;
   }
 }

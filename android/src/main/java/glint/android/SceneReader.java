@@ -8,6 +8,10 @@ import glint.io.SceneFiles;
 import glint.io.SceneFolder;
 import java.io.IOException;
 import java.io.InputStream;
+import java.math.BigInteger;
+import java.security.DigestInputStream;
+import java.security.MessageDigest;
+import java.security.NoSuchAlgorithmException;
 import java.util.List;
 import java.util.stream.Collectors;
 
@@ -38,7 +42,8 @@ final class SceneReader {
       }
       SceneFolder folder = packed ? new SceneAssets(context.getAssets()) : new Alone(context);
       try (InputStream in = packed ? folder.open(name) : Document.open(context, file)) {
-        return reading(name, SceneFiles.read(in, name, folder));
+        DigestInputStream hashed = new DigestInputStream(in, sha256());
+        return reading(name, SceneFiles.read(hashed, name, folder), hashed.getMessageDigest());
       }
     } catch (IOException e) {
       return failed(name, context.getString(R.string.cannot_read, name, e.getMessage()));
@@ -49,14 +54,23 @@ final class SceneReader {
     }
   }
 
-  private static Reading reading(String name, SceneFile file) {
+  private static Reading reading(String name, SceneFile file, MessageDigest digest) {
     List<String> problems =
         file.problems().stream().map(Problem::toString).collect(Collectors.toList());
-    return new Reading(name, file.scenes(), problems);
+    String hex = new BigInteger(1, digest.digest()).toString(16);
+    return new Reading(name, hex, file.scenes(), problems);
   }
 
   private static Reading failed(String name, String why) {
-    return new Reading(name, List.of(), List.of(why));
+    return new Reading(name, "", List.of(), List.of(why));
+  }
+
+  private static MessageDigest sha256() {
+    try {
+      return MessageDigest.getInstance("SHA-256");
+    } catch (NoSuchAlgorithmException e) {
+      throw new IllegalStateException("every Android has SHA-256", e);
+    }
   }
 
   /** Where a picked document lies: nothing else there may be read. */

@@ -20,8 +20,8 @@ import java.util.concurrent.Executors;
 import java.util.concurrent.ThreadFactory;
 
 /**
- * Small pictures of scenes, rendered one after the other as they are asked for; used on the main
- * thread.
+ * Small pictures of scenes, rendered one after the other as they are asked for, and kept; used on
+ * the main thread.
  */
 final class Thumbnails {
 
@@ -31,6 +31,7 @@ final class Thumbnails {
   /** Good enough for a small picture; what takes longer is shown as it is then. */
   private static final Goal GOAL = new Goal.Error(4, 2);
 
+  private final ThumbnailCache cache;
   private final Map<Scene, Bitmap> pictures = new IdentityHashMap<>();
   private final Handler main = new Handler(Looper.getMainLooper());
   private final ExecutorService worker =
@@ -44,21 +45,39 @@ final class Thumbnails {
   private boolean held;
   private boolean closed;
 
+  /** Makes none yet. */
+  Thumbnails(ThumbnailCache cache) {
+    this.cache = cache;
+  }
+
   /** Sets who is told of new pictures, on the main thread. */
   void watch(Runnable newWatcher) {
     watcher = newWatcher;
   }
 
-  /** Returns a scene's picture, or null, and has it made then. */
-  Bitmap of(Scene scene) {
+  /**
+   * Returns a scene's picture, or null, and has it made then.
+   *
+   * @param digest a hash of the bytes of the scene's file
+   */
+  Bitmap of(Scene scene, String digest) {
     if (!pictures.containsKey(scene)) {
       pictures.put(scene, null);
-      worker.execute(() -> make(scene));
+      worker.execute(() -> find(scene, digest));
     }
     return pictures.get(scene);
   }
 
-  private void make(Scene scene) {
+  private void find(Scene scene, String digest) {
+    Bitmap kept = cache.read(digest, scene.name());
+    if (kept == null) {
+      make(scene, digest);
+    } else {
+      main.post(() -> show(scene, kept));
+    }
+  }
+
+  private void make(Scene scene, String digest) {
     double scale = (double) SIDE / Math.max(scene.width(), scene.height());
     int width = (int) Math.max(1, scale * scene.width());
     int height = (int) Math.max(1, scale * scene.height());
@@ -82,6 +101,7 @@ final class Thumbnails {
       Image image = next.render(Progress.NONE, threads).image();
       int[] codes = image.toArgb(scene.transfer());
       Bitmap bitmap = Bitmap.createBitmap(codes, width, height, Bitmap.Config.ARGB_8888);
+      cache.write(digest, scene.name(), bitmap);
       main.post(() -> show(scene, bitmap));
     } catch (CancellationException e) {
       // nobody will look at it

@@ -112,7 +112,8 @@ public final class LifecycleTest {
       controller.restart().start().resume();
       assertEquals(State.RENDERING, state(screen));
       awaitDesktopImage(screen);
-      assertFalse(screen.findViewById(R.id.picture).getKeepScreenOn());
+      PictureView picture = screen.findViewById(R.id.picture);
+      Waiting.until("the screen may go off", () -> !picture.getKeepScreenOn());
       assertEquals("Finished", said(screen, R.id.state));
     }
   }
