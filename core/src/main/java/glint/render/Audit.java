@@ -12,8 +12,8 @@ final class Audit {
   private static final int BESIDE = 24;
   private static final int ALONE = 96;
 
-  /** In an image of more pixels than so many, they are audited as its square root. */
-  private static final double ALL = 20_000;
+  /** That is so in an image of so many pixels; audits are as many as its square root. */
+  private static final double USUAL = 20_000;
 
   /** Samples of an audit that has found something, as a power of two. */
   private static final int SECOND_LOOK = 4;
@@ -34,7 +34,7 @@ final class Audit {
     this.scale = scale;
     this.sampling = sampling;
     this.seed = SobolSampler.mix(seed);
-    rarer = Math.max(1, Math.sqrt(film.kind.length / ALL));
+    rarer = Math.sqrt(film.kind.length / USUAL);
   }
 
   /** Audits; another number chooses other pixels. */
@@ -74,7 +74,7 @@ final class Audit {
 
   private boolean isChosen(int pixel, int number) {
     int beside = film.surroundings[pixel] > 0 ? BESIDE : ALONE;
-    int every = (int) (rarer * (film.kind[pixel] == Film.SPLIT ? SPLIT : beside));
+    int every = Math.max(1, (int) (rarer * (film.kind[pixel] == Film.SPLIT ? SPLIT : beside)));
     long hash = SobolSampler.mix(seed ^ ((long) number << 32 | pixel));
     return Long.remainderUnsigned(hash, every) == 0;
   }

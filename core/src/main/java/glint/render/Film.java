@@ -71,8 +71,14 @@ final class Film {
   /** Where the sums of a sampled pixel stand, or -1. */
   final int[] slot;
 
-  /** Where the edge of a split pixel was when it was first sampled: two numbers by slot. */
-  float[] edge = new float[2 * 64];
+  /** Numbers of an edge. */
+  static final int EDGE = 3;
+
+  /**
+   * Where the edge of a split pixel was when it was first sampled, by slot: along the two sides,
+   * and its bulge.
+   */
+  float[] edge = new float[EDGE * 64];
 
   /** Sums of what samples differ from the pixel's model by, see {@link #SLOT}. */
   double[] sums = new double[64 * SLOT];
@@ -116,7 +122,7 @@ final class Film {
     }
     if (slots == cut.length) {
       int more = slots + (slots >> 1);
-      edge = Arrays.copyOf(edge, 2 * more);
+      edge = Arrays.copyOf(edge, EDGE * more);
       sums = Arrays.copyOf(sums, more * SLOT);
       cut = Arrays.copyOf(cut, more);
       prior = Arrays.copyOf(prior, more);

@@ -4,9 +4,8 @@ package glint.render;
  * Works on pixels of a film, one at a time; one per thread.
  *
  * <p>A pixel begins with a model of itself that its corners give for nothing: radiance that runs
- * evenly from corner to corner, or two plain colours and a straight edge between. Samples are taken
- * of what the model gets wrong, so that a good model leaves them little to find (a control
- * variate).
+ * evenly from corner to corner, or two plain colours and an arc between. Samples are taken of what
+ * the model gets wrong, so that a good model leaves them little to find (a control variate).
  */
 final class Refiner {
 
@@ -102,7 +101,7 @@ final class Refiner {
     if (have == 0) {
       freeze(x, y, slot);
     } else if (film.kind[pixel] == Film.SPLIT) {
-      split.freeze(x, y, film.edge[2 * slot], film.edge[2 * slot + 1]);
+      divide(x, y, slot);
     }
     probe.pixel(x, y);
     int total = 1 << level;
@@ -173,9 +172,12 @@ final class Refiner {
       film.kind[pixel] = Film.BUSY;
     }
     if (film.kind[pixel] == Film.SPLIT) {
-      film.edge[2 * slot] = (float) split.along(0);
-      film.edge[2 * slot + 1] = (float) split.along(1);
-      split.freeze(x, y, film.edge[2 * slot], film.edge[2 * slot + 1]);
+      int at = Film.EDGE * slot;
+      film.edge[at] = (float) split.along(0);
+      film.edge[at + 1] = (float) split.along(1);
+      film.edge[at + 2] = (float) split.bulge();
+      divide(x, y, slot);
+      film.prior[slot] += (float) split.doubt(scale);
     }
     for (int channel = 0; channel < 3; channel++) {
       film.sums[Film.SLOT * slot + 6 + channel] =
@@ -185,6 +187,11 @@ final class Refiner {
             default -> 0;
           };
     }
+  }
+
+  private void divide(int x, int y, int slot) {
+    int at = Film.EDGE * slot;
+    split.freeze(x, y, film.edge[at], film.edge[at + 1], film.edge[at + 2]);
   }
 
   private void add(int x, int y, int slot, int number) {

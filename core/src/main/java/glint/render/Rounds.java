@@ -20,6 +20,9 @@ final class Rounds {
   /** The most samples of a pixel, as a power of two. */
   private static final int MOST = 20;
 
+  /** In an image of fewer pixels than so many, each that is sampled takes more samples at first. */
+  private static final int SMALL = 1 << 10;
+
   /** By how much a round brings the error down at most where the time is limited. */
   private static final double SHORT_ROUND = 0.7;
 
@@ -173,7 +176,9 @@ final class Rounds {
         sampling.choose(pixel);
       }
     }
-    sampling.run(Refiner.FIRST);
+    int doublings =
+        Integer.numberOfLeadingZeros(film.kind.length) - Integer.numberOfLeadingZeros(SMALL);
+    sampling.run(Refiner.FIRST + Math.max(0, doublings));
   }
 
   /** Estimates all pixels but those just sampled. */

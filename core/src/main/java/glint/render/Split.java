@@ -129,11 +129,35 @@ final class Split {
     return corners.signature[a] != corners.signature[b];
   }
 
-  /** Divides a pixel by a straight edge, in two plain colours that no better knowledge changes. */
-  void freeze(int column, int row, double one, double two) {
+  /**
+   * Divides a pixel by an arc, in two plain colours that no better knowledge changes.
+   *
+   * @param arc its bulge, which is left out, and doubtful, if it is not surely in the pixel
+   */
+  void freeze(int column, int row, double one, double two, double arc) {
     cross(column, row);
     place(one, two);
+    bulge = isInside(arc) ? arc : 0;
+    doubt = Math.abs(arc - bulge);
     parts.fromCorners(column, row);
+  }
+
+  /** Returns the {@link #bulge}. */
+  double bulge() {
+    return bulge;
+  }
+
+  /**
+   * Returns whether the parabola that covers so much more than its chord surely stays in the pixel:
+   * it does if its control point is in it, which is twice as far from the chord.
+   */
+  private boolean isInside(double arc) {
+    double dx = x[1] - x[0];
+    double dy = y[1] - y[0];
+    double away = 3 * (orientation > 0 ? -arc : arc) / (dx * dx + dy * dy);
+    double controlX = 0.5 * (x[0] + x[1]) - away * dy;
+    double controlY = 0.5 * (y[0] + y[1]) + away * dx;
+    return controlX >= 0 && controlX <= 1 && controlY >= 0 && controlY <= 1;
   }
 
   /** Has a straight edge cross the two sides elsewhere: 0 to 1 along them. */
@@ -187,8 +211,17 @@ final class Split {
 
   /** Returns the radiance of a channel at a place in the pixel. */
   double at(int channel, double u, double v) {
-    boolean near = (side(u, v) < 0) == (orientation < 0);
+    boolean near = (side(u, v) < arc(u, v)) == (orientation < 0);
     return near ? first[channel] : second[channel];
+  }
+
+  /** Returns how far to the side the arc lies beside a place, as a parabola of the same bulge. */
+  private double arc(double u, double v) {
+    double dx = x[1] - x[0];
+    double dy = y[1] - y[0];
+    double along = ((u - x[0]) * dx + (v - y[0]) * dy) / (dx * dx + dy * dy);
+    double height = along > 0 && along < 1 ? 6 * bulge * along * (1 - along) : 0;
+    return orientation > 0 ? -height : height;
   }
 
   /**

@@ -1,6 +1,7 @@
 package glint.report;
 
 import glint.color.Rgb;
+import glint.color.Transfer;
 import glint.image.Image;
 import glint.render.Progress;
 import glint.render.RenderResult;
@@ -17,14 +18,19 @@ import java.util.stream.IntStream;
  * Finds what a scene looks like where no formula says so: twice, with samples that the two halves
  * do not share, until these agree.
  *
- * <p>Every pixel has {@link #LEAST} samples in each half. Where the halves differ, in the pixel and
- * around, it has four times as many, and so on, as long as that is not the work of hours. No
- * estimate and no model has a part in it.
+ * <p>Every pixel has {@link #LEAST} samples in each half, in small images more. Where the halves
+ * differ, in the pixel and around, it has four times as many, and so on, as long as that is not the
+ * work of hours. Halves may be equal by chance, and are beside an edge more often than not; so
+ * neither may have moved, either, since it had a quarter of its samples. No estimate and no model
+ * has a part in it.
  */
 public final class LongRun {
 
-  /** Samples of every pixel in each half. */
+  /** Samples of every pixel in each half at least. */
   static final int LEAST = 64;
+
+  /** Samples of all pixels together in each half at least, as far as one may have so many. */
+  private static final double ALL = 0x1p20;
 
   /** The most samples of a pixel in each half. */
   static final int MOST = 1 << 14;
@@ -51,9 +57,13 @@ public final class LongRun {
   private final BooleanSupplier cancelled;
   private final Image[] images = new Image[2];
 
+  /** By pixel, how far the halves are apart or have moved last, in levels. */
+  private final double[] doubt;
+
   private LongRun(Prepared scene, RenderSettings settings, BooleanSupplier cancelled) {
     this.scene = scene;
     this.cancelled = cancelled;
+    doubt = new double[settings.width() * settings.height()];
     // Seeds before those of the runs, so that no sample is shared with what is measured.
     halves =
         new RenderSettings[] {
@@ -69,52 +79,76 @@ public final class LongRun {
    */
   public static Reference of(Prepared scene, RenderSettings settings, BooleanSupplier cancelled) {
     LongRun run = new LongRun(scene, settings, cancelled);
-    double rays = 0;
-    for (int half = 0; half < 2; half++) {
-      RenderSettings all = run.halves[half].following(NEGLIGIBLE);
-      RenderResult result = new Renderer(scene, all).render(Progress.NONE);
-      run.images[half] = result.image();
-      rays = result.statistics().rays().total();
+    int samples = LEAST;
+    while (samples < MOST && samples * (double) run.doubt.length < ALL) {
+      samples *= GROWTH;
     }
-    int[] apart = run.apart(IntStream.range(0, settings.width() * settings.height()).toArray());
-    rays /= LEAST * (double) (settings.width() * settings.height());
-    int samples = GROWTH * LEAST;
-    while (samples <= MOST && apart.length > 0 && rays * apart.length * samples <= WORK) {
+    run.render(samples / GROWTH);
+    Image[] before = run.images.clone();
+    double rays = run.render(samples) / samples / run.doubt.length;
+    run.compare(before);
+    int[] apart = run.apart(IntStream.range(0, run.doubt.length).toArray());
+    while (samples < MOST && apart.length > 0 && rays * apart.length * GROWTH * samples <= WORK) {
+      samples *= GROWTH;
       run.sample(apart, samples);
       apart = run.apart(apart);
-      samples *= GROWTH;
     }
     return Reference.of(run.images[0], run.images[1], ORIGIN, scene.scene().transfer());
   }
 
+  /** Renders both halves; returns how many rays one of them took. */
+  private double render(int samples) {
+    double rays = 0;
+    for (int half = 0; half < 2; half++) {
+      if (cancelled.getAsBoolean()) {
+        throw new CancellationException("rendering was cancelled");
+      }
+      RenderSettings all = halves[half].sampled(samples, halves[half].seed());
+      RenderResult result = new Renderer(scene, all.following(NEGLIGIBLE)).render(Progress.NONE);
+      images[half] = result.image();
+      rays = result.statistics().rays().total();
+    }
+    return rays;
+  }
+
+  /** Finds how far the halves are apart, or from what they were. */
+  private void compare(Image[] before) {
+    Transfer transfer = scene.scene().transfer();
+    double[] apart = Errors.ofPixels(images[0], images[1], transfer);
+    double[] one = Errors.ofPixels(images[0], before[0], transfer);
+    double[] two = Errors.ofPixels(images[1], before[1], transfer);
+    Arrays.setAll(doubt, i -> Math.max(apart[i], Math.max(one[i], two[i])));
+  }
+
   /** Returns those of some pixels where the halves do not agree. */
   private int[] apart(int[] pixels) {
-    int width = images[0].width();
-    int height = images[0].height();
-    double[] delta = Errors.ofPixels(images[0], images[1], scene.scene().transfer());
     return Arrays.stream(pixels)
-        .filter(
-            pixel -> {
-              double around = 0;
-              for (int y = Math.max(0, pixel / width - 1);
-                  y <= Math.min(height - 1, pixel / width + 1);
-                  y++) {
-                for (int x = Math.max(0, pixel % width - 1);
-                    x <= Math.min(width - 1, pixel % width + 1);
-                    x++) {
-                  around = Math.max(around, delta[y * width + x]);
-                }
-              }
-              return delta[pixel] > SURELY * AGREEMENT && around > AGREEMENT;
-            })
+        .filter(pixel -> doubt[pixel] > SURELY * AGREEMENT && around(pixel) > AGREEMENT)
         .toArray();
   }
 
+  /** Returns the greatest doubt in a pixel and those around it. */
+  private double around(int pixel) {
+    int width = images[0].width();
+    int height = images[0].height();
+    int column = pixel % width;
+    int row = pixel / width;
+    double most = 0;
+    for (int y = Math.max(0, row - 1); y <= Math.min(height - 1, row + 1); y++) {
+      for (int x = Math.max(0, column - 1); x <= Math.min(width - 1, column + 1); x++) {
+        most = Math.max(most, doubt[y * width + x]);
+      }
+    }
+    return most;
+  }
+
   private void sample(int[] pixels, int samples) {
+    Image[] before = images.clone();
     for (int half = 0; half < 2; half++) {
       RenderSettings more =
           halves[half].sampled(samples, halves[half].seed()).following(NEGLIGIBLE);
-      Image image = images[half];
+      Image image = copy(images[half]);
+      images[half] = image;
       Arrays.stream(pixels)
           .parallel()
           .forEach(
@@ -128,5 +162,12 @@ public final class LongRun {
                 image.set(x, y, value.r(), value.g(), value.b());
               });
     }
+    compare(before);
+  }
+
+  private static Image copy(Image image) {
+    Image copy = new Image(image.width(), image.height());
+    System.arraycopy(image.rgb(), 0, copy.rgb(), 0, copy.rgb().length);
+    return copy;
   }
 }
