@@ -53,7 +53,7 @@ final class Audit {
       known[i] = film.own[pixels[i]];
       System.arraycopy(film.image.rgb(), 3 * pixels[i], values, 3 * i, 3);
     }
-    sampling.run(Refiner.FIRST);
+    sampling.run();
     Arrays.stream(pixels).filter(film::foundMore).forEach(sampling::choose);
     sampling.run(SECOND_LOOK);
     model.forgetAudits();

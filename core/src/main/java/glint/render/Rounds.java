@@ -20,9 +20,6 @@ final class Rounds {
   /** The most samples of a pixel, as a power of two. */
   private static final int MOST = 20;
 
-  /** In an image of fewer pixels than so many, each that is sampled takes more samples at first. */
-  private static final int SMALL = 1 << 10;
-
   /** By how much a round brings the error down at most where the time is limited. */
   private static final double SHORT_ROUND = 0.7;
 
@@ -176,9 +173,7 @@ final class Rounds {
         sampling.choose(pixel);
       }
     }
-    int doublings =
-        Integer.numberOfLeadingZeros(film.kind.length) - Integer.numberOfLeadingZeros(SMALL);
-    sampling.run(Refiner.FIRST + Math.max(0, doublings));
+    sampling.run();
   }
 
   /** Estimates all pixels but those just sampled. */
@@ -219,7 +214,7 @@ final class Rounds {
     chooseHiding();
     int[] wanted = sides.wanted();
     boolean worked = wanted.length > 0 || sampling.hasChosen();
-    sampling.run(Refiner.FIRST);
+    sampling.run();
     inBatches(wanted.length, (refiner, i) -> sides.divide(refiner.probe, wanted[i]));
     for (int side : wanted) {
       int x = sides.column(side);

@@ -8,10 +8,17 @@ final class Sampling {
   /** Pixels that a thread works on in one go. */
   private static final int BATCH = 64;
 
+  /** In images of fewer pixels than so many, those that are sampled take more samples at first. */
+  private static final int SMALL = 1 << 10;
+
   private final Film film;
   private final ErrorModel model;
   private final Crew<Refiner> crew;
   private final TileCount done;
+
+  /** The first samples of a pixel, as a power of two. */
+  private final int first;
+
   private final boolean[] isChosen;
   private int[] chosen = new int[1024];
   private int count;
@@ -21,6 +28,9 @@ final class Sampling {
     this.model = model;
     this.crew = crew;
     this.done = done;
+    int pixels = film.kind.length;
+    int doublings = Integer.numberOfLeadingZeros(pixels) - Integer.numberOfLeadingZeros(SMALL);
+    first = Refiner.FIRST + Math.max(0, doublings);
     isChosen = new boolean[film.kind.length];
   }
 
@@ -47,8 +57,13 @@ final class Sampling {
     return Arrays.copyOf(chosen, count);
   }
 
+  /** Doubles the samples of the pixels chosen, and begins to choose anew. */
+  void run() throws InterruptedException {
+    run(first);
+  }
+
   /**
-   * Doubles the samples of the pixels chosen, and begins to choose anew.
+   * Does the same.
    *
    * @param least as a power of two, the samples that a pixel shall have at least
    */
@@ -60,8 +75,8 @@ final class Sampling {
           int end = Math.min(count, BATCH * (batch + 1));
           done.begin(chosen[BATCH * batch], chosen[end - 1]);
           for (int i = BATCH * batch; i < end; i++) {
-            int first = film.focus.containsKey(chosen[i]) ? Refiner.FIRST + 1 : least;
-            int level = Math.max(first, film.level[chosen[i]] + 1);
+            int begin = film.focus.containsKey(chosen[i]) ? first + 1 : Math.max(first, least);
+            int level = Math.max(begin, film.level[chosen[i]] + 1);
             moved[i] = refiner.sample(chosen[i] % film.width, chosen[i] / film.width, level);
           }
           done.count(refiner.probe);
