@@ -208,16 +208,16 @@ final class ErrorModel {
   }
 
   /**
-   * Returns the variance that is left of a model's where samples find nothing wrong with it. What
-   * is wrong in an area a of the pixel escapes n samples with a probability like exp(-na), so that
-   * a² may still be about 1/n²; the colours there differ by about twice the contrast.
+   * Returns the variance that is left of a model's where samples find nothing wrong with it. Their
+   * own variance tells, on average over pixels, what they have found; what the model says of itself
+   * counts like two of them. What is hidden in an area a of the pixel escapes n even samples while
+   * na is below one, and hardly ever after that.
    */
   private double unseen(int pixel) {
     double n = film.samples(pixel);
-    double contrast = contrast(pixel);
-    double known = film.prior[film.slot[pixel]];
-    double hidden = ratio[group(pixel)] * contrast / (1 + n * HIDDEN * (n * HIDDEN));
-    return known / (1 + n * n * known / (4 * contrast)) + hidden;
+    double found = n * HIDDEN * (n * HIDDEN);
+    double hidden = ratio[group(pixel)] * contrast(pixel) / (1 + found * found);
+    return film.prior[film.slot[pixel]] / (1 + n * n / 4) + hidden;
   }
 
   private double contrast(int pixel) {
