@@ -1,7 +1,6 @@
 package glint.render;
 
 import glint.image.Image;
-import java.util.Arrays;
 
 /** Tells from second differences how far radiance bends within a pixel; scratch. */
 final class Bends {
@@ -11,11 +10,23 @@ final class Bends {
 
   private final CornerGrid corners;
   private final LevelScale scale;
-  private final double[] bends = new double[3];
+
+  /** The bends of the sides of a pixel, or of a row of them: above, below, left and right. */
+  private final double[] pixel = new double[12];
+
+  private double[] above;
+  private double[] below;
+  private final double[] down;
+
+  /** The row of pixels that those are of, or -1. */
+  private int row = -1;
 
   Bends(CornerGrid corners, LevelScale scale) {
     this.corners = corners;
     this.scale = scale;
+    above = new double[3 * corners.stride];
+    below = new double[3 * corners.stride];
+    down = new double[3 * corners.stride];
   }
 
   /**
@@ -26,33 +37,75 @@ final class Bends {
    */
   double error(int x, int y, Image image) {
     int a = y * corners.stride + x;
-    Arrays.fill(bends, 0);
-    bend(a, 1, x, corners.stride);
-    bend(a + corners.stride, 1, x, corners.stride);
-    bend(a, corners.stride, y, corners.rows);
-    bend(a + 1, corners.stride, y, corners.rows);
+    bend(a, 1, x, corners.stride, pixel, 0);
+    bend(a + corners.stride, 1, x, corners.stride, pixel, 3);
+    bend(a, corners.stride, y, corners.rows, pixel, 6);
+    bend(a + 1, corners.stride, y, corners.rows, pixel, 9);
     double sum = 0;
-    for (int channel = 0; channel < 3; channel++) {
-      if (bends[channel] > 0) {
-        double mean = image.rgb()[3 * (y * image.width() + x) + channel];
-        sum += scale.squaredError(mean, bends[channel] / 24);
-      }
+    for (int i = 0; i < 3; i++) {
+      double bend = pixel[i] + pixel[i + 3] + pixel[i + 6] + pixel[i + 9];
+      sum += squaredError(bend, x, y, i, image);
     }
     return sum / 3;
   }
 
+  /** Turns to a row of pixels. */
+  void turn(int y) {
+    double[] known = above;
+    if (y == row + 1 && row >= 0) {
+      above = below;
+      below = known;
+    } else {
+      across(y, above);
+    }
+    across(y + 1, below);
+    for (int x = 0; x < corners.stride; x++) {
+      bend(y * corners.stride + x, corners.stride, y, corners.rows, down, 3 * x);
+    }
+    row = y;
+  }
+
+  private void across(int y, double[] out) {
+    for (int x = 0; x < corners.stride - 1; x++) {
+      bend(y * corners.stride + x, 1, x, corners.stride, out, 3 * x);
+    }
+  }
+
+  /** Returns what {@link #error} does, of a pixel in the row turned to. */
+  double errorInRow(int x, Image image) {
+    double sum = 0;
+    for (int i = 3 * x; i < 3 * x + 3; i++) {
+      double bend = above[i] + below[i] + down[i] + down[i + 3];
+      sum += squaredError(bend, x, row, i - 3 * x, image);
+    }
+    return sum / 3;
+  }
+
+  private double squaredError(double bend, int x, int y, int channel, Image image) {
+    if (!(bend > 0)) {
+      return 0;
+    }
+    double mean = image.rgb()[3 * (y * image.width() + x) + channel];
+    return scale.squaredError(mean, bend / 24);
+  }
+
   /**
-   * Adds to {@link #bends} the second difference along a side that no edge crosses, without its
-   * sign: the mean of those that its two neighbours give as far as they show the same signature;
-   * where none does, the difference of its ends.
+   * Finds the second difference along a side that no edge crosses, without its sign: the mean of
+   * those that its two neighbours give as far as they show the same signature; where none does, the
+   * difference of its ends.
    *
    * <p>Where the two disagree there is a step rather than a bend, no one knows where along the
    * side: it is worth the standard deviation of a place even in a range, 1/√12, in twelfths.
+   *
+   * @param out where its channels are stored, three numbers from an index on
    */
-  private void bend(int corner, int step, int at, int count) {
+  private void bend(int corner, int step, int at, int count, double[] out, int index) {
     double[] rgb = corners.rgb;
     long[] met = corners.signature;
     if (met[corner] != met[corner + step]) {
+      out[index] = 0;
+      out[index + 1] = 0;
+      out[index + 2] = 0;
       return;
     }
     boolean before = at > 0 && met[corner - step] == met[corner];
@@ -64,9 +117,9 @@ final class Bends {
       double first = before ? rgb[i - 3 * step] - 2 * one + two : 0;
       double last = after ? one - 2 * two + rgb[i + 6 * step] : 0;
       if (before && after) {
-        bends[channel] += 0.5 * (Math.abs(first + last) + STEP * Math.abs(first - last));
+        out[index + channel] = 0.5 * (Math.abs(first + last) + STEP * Math.abs(first - last));
       } else {
-        bends[channel] += before || after ? Math.abs(first + last) : Math.abs(two - one);
+        out[index + channel] = before || after ? Math.abs(first + last) : Math.abs(two - one);
       }
     }
   }

@@ -39,6 +39,20 @@ final class Refiner {
     aim = new Aim(corners, scale, probe);
   }
 
+  /** Estimates all pixels of a row, like {@link #estimate}. */
+  void estimateRow(int y) {
+    bends.turn(y);
+    for (int x = 0; x < film.width; x++) {
+      int pixel = y * film.width + x;
+      if (film.kind[pixel] == Film.SMOOTH && film.level[pixel] == 0) {
+        showCorners(x, y);
+        film.own[pixel] = (float) bends.errorInRow(x, film.image);
+      } else {
+        estimate(x, y);
+      }
+    }
+  }
+
   /**
    * Takes a pixel that was never sampled from its model, and estimates the error of that; of one
    * whose samples are random, what is around.
@@ -66,11 +80,21 @@ final class Refiner {
       film.own[pixel] = (float) focus.doubt;
       return;
     }
-    film.image.set(x, y, corners.mean(x, y, 0), corners.mean(x, y, 1), corners.mean(x, y, 2));
+    showCorners(x, y);
     film.own[pixel] =
         film.kind[pixel] == Film.SMOOTH
             ? (float) bends.error(x, y, film.image)
             : 0.3f * film.contrast[pixel];
+  }
+
+  private void showCorners(int x, int y) {
+    film.image.set(x, y, corners.mean(x, y, 0), corners.mean(x, y, 1), corners.mean(x, y, 2));
+  }
+
+  /** Returns whether the edge of a split pixel may, for all that is known, run along corners. */
+  boolean mayRunAlongCorners(int x, int y) {
+    split.cross(x, y);
+    return sides.endsAtCorner(split.crossed(0), 2) && sides.endsAtCorner(split.crossed(1), 2);
   }
 
   /** Asks for the brackets of a split pixel to be divided. */

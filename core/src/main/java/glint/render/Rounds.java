@@ -121,7 +121,7 @@ final class Rounds {
     crew.run(film.height, (refiner, y) -> refiner.survey.classify(y));
     aim();
     do {
-      crew.run(tiles.count(), (refiner, i) -> tiles.forEach(i, refiner.survey::count));
+      crew.run(film.height, (refiner, y) -> refiner.survey.count(y));
     } while (check());
   }
 
@@ -178,24 +178,28 @@ final class Rounds {
 
   /** Estimates all pixels but those just sampled. */
   private void estimateAll() throws InterruptedException {
-    crew.run(tiles.count(), (refiner, i) -> tiles.forEach(i, refiner::estimate));
+    crew.run(film.height, (refiner, y) -> refiner.estimateRow(y));
   }
 
   /**
    * Estimates once more those that better knowledge of what is around may have changed.
    *
-   * @param anyEdge whether that may be so of all pixels at edges
+   * @param corners whether that may be so of edges that run along corners
    */
-  private void estimate(boolean anyEdge) throws InterruptedException {
+  private void estimate(boolean corners) throws InterruptedException {
     int[] active = allocation.active();
     inBatches(
         active.length,
         (refiner, i) -> {
           int pixel = active[i];
+          int x = pixel % film.width;
+          int y = pixel / film.width;
           boolean edge = film.kind[pixel] == Film.SPLIT;
-          if (film.kind[pixel] == Film.BUSY || (edge && (anyEdge || film.stale[pixel]))) {
+          boolean news =
+              edge && (film.stale[pixel] || (corners && refiner.mayRunAlongCorners(x, y)));
+          if (film.kind[pixel] == Film.BUSY || news) {
             film.stale[pixel] = false;
-            refiner.estimate(pixel % film.width, pixel / film.width);
+            refiner.estimate(x, y);
           }
         });
   }

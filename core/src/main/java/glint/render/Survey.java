@@ -11,11 +11,18 @@ final class Survey {
   private final Probe probe;
   private final double[] scratch;
 
+  /** How many of the up to three pixels of a column are of a kind; one column more on each side. */
+  private final int[] busy;
+
+  private final int[] splits;
+
   Survey(Film film, CornerGrid corners, Probe probe) {
     this.film = film;
     this.corners = corners;
     this.probe = probe;
     scratch = new double[6 * corners.stride];
+    busy = new int[film.width + 2];
+    splits = new int[film.width + 2];
   }
 
   /** Decides what kind the pixels of a row are by their corners. */
@@ -45,20 +52,25 @@ final class Survey {
     }
   }
 
-  /** Counts the edges around a pixel. */
-  void count(int x, int y) {
-    int busy = 0;
-    int splits = 0;
-    for (int row = Math.max(0, y - 1); row <= Math.min(film.height - 1, y + 1); row++) {
-      for (int column = Math.max(0, x - 1); column <= Math.min(film.width - 1, x + 1); column++) {
-        byte kind = film.kind[row * film.width + column];
-        busy += kind == Film.BUSY ? 1 : 0;
-        splits += kind == Film.SPLIT ? 1 : 0;
+  /** Counts the edges around the pixels of a row. */
+  void count(int y) {
+    int first = Math.max(0, y - 1) * film.width;
+    int last = Math.min(film.height - 1, y + 1) * film.width;
+    for (int x = 0; x < film.width; x++) {
+      busy[x + 1] = 0;
+      splits[x + 1] = 0;
+      for (int pixel = first + x; pixel <= last + x; pixel += film.width) {
+        busy[x + 1] += film.kind[pixel] == Film.BUSY ? 1 : 0;
+        splits[x + 1] += film.kind[pixel] == Film.SPLIT ? 1 : 0;
       }
     }
-    int pixel = y * film.width + x;
-    splits -= film.kind[pixel] == Film.SPLIT ? 1 : 0;
-    film.surroundings[pixel] = (byte) (4 * grade(busy) + grade(splits));
+    for (int x = 0; x < film.width; x++) {
+      int pixel = y * film.width + x;
+      int own = film.kind[pixel] == Film.SPLIT ? 1 : 0;
+      int busyAround = busy[x] + busy[x + 1] + busy[x + 2];
+      int splitsAround = splits[x] + splits[x + 1] + splits[x + 2] - own;
+      film.surroundings[pixel] = (byte) (4 * grade(busyAround) + grade(splitsAround));
+    }
   }
 
   /**
