@@ -30,13 +30,22 @@ final class ErrorModel {
   /** As how many pixels it counts that random samples become better like those at edges. */
   private static final int EDGES = 50;
 
+  /**
+   * By how much even samples are usually better than independent ones, times the root of their
+   * number: where all of a pixel is sampled, and where samples look for the little that a model has
+   * wrong.
+   */
+  private static final double SAMPLED = 1;
+
+  private static final double MODELLED = 1.6;
+
   /** Levels of doubling. */
   private static final int LEVELS = 32;
 
-  /** So many for pixels without a model, with one, and with random samples. */
-  private static final int KINDS = 3 * LEVELS;
+  /** So many for smooth, split and busy pixels, and for those with random samples. */
+  private static final int KINDS = 4 * LEVELS;
 
-  private static final int RANDOM = 2 * LEVELS;
+  private static final int RANDOM = 3 * LEVELS;
 
   /** Kinds times surroundings. */
   private static final int GROUPS = 32;
@@ -53,6 +62,9 @@ final class ErrorModel {
   /** Added to contrasts: what is worth a level. */
   private static final double LEAST_CONTRAST = 1;
 
+  /** As how many pixels it counts that models are as wrong as they say themselves. */
+  private static final int DISTRUST = 50;
+
   /** As how many samples those around a pixel count where they are random. */
   private static final double AROUND = 3;
 
@@ -65,6 +77,8 @@ final class ErrorModel {
   private final int[] audits = new int[GROUPS];
   private final double[] ratio = new double[GROUPS];
   private final double[] gain = new double[KINDS];
+  private final double[] doubted = new double[KINDS];
+  private final double[] trust = new double[KINDS];
   private double randomFall;
 
   ErrorModel(Film film) {
@@ -77,6 +91,7 @@ final class ErrorModel {
     int kind = kind(pixel);
     moved[kind] += squared;
     spread[kind] += spread(pixel);
+    doubted[kind] += film.kind[pixel] == Film.BUSY ? 0 : missed(pixel);
     pixels[kind]++;
   }
 
@@ -108,7 +123,8 @@ final class ErrorModel {
   void learn() {
     randomFall = findRandomFall();
     for (int kind = 0; kind < KINDS; kind++) {
-      double expected = 0.66 / Math.sqrt(Math.scalb(1.0, kind % LEVELS));
+      double usual = kind < LEVELS * Film.BUSY ? MODELLED : SAMPLED;
+      double expected = Math.min(1, usual / Math.sqrt(Math.scalb(1.0, kind % LEVELS)));
       double weight = pixels[kind] == 0 ? 1 : 20 * spread[kind] / pixels[kind];
       double total = spread[kind] + weight;
       double steep = kind < RANDOM ? FALL : randomFall;
@@ -116,6 +132,10 @@ final class ErrorModel {
     }
     for (int kind = KINDS - 2; kind >= RANDOM; kind--) {
       foresee(kind);
+    }
+    for (int kind = 0; kind < KINDS; kind++) {
+      double found = doubted[kind] > 0 ? gain[kind] * spread[kind] / doubted[kind] : 1;
+      trust[kind] = (pixels[kind] * found + 2 * DISTRUST) / (pixels[kind] + DISTRUST);
     }
     for (int first = 0; first < GROUPS; first += 16) {
       double allWrong = 0;
@@ -175,8 +195,15 @@ final class ErrorModel {
     if (film.level[pixel] == 0) {
       return film.own[pixel] + hidden(pixel);
     }
-    double sampled = gain[kind(pixel)] * spread(pixel);
-    return film.kind[pixel] == Film.BUSY ? sampled : sampled + unseen(pixel);
+    if (film.kind[pixel] == Film.BUSY) {
+      return noise(pixel);
+    }
+    return 0.5 * (noise(pixel) + trust[kind(pixel)] * missed(pixel)) + escaped(pixel);
+  }
+
+  /** Returns the variance of a sampled pixel's mean as its samples tell it. */
+  double noise(int pixel) {
+    return gain[kind(pixel)] * spread(pixel);
   }
 
   /** Returns the part of the variance of an unsampled pixel that its model knows nothing of. */
@@ -188,7 +215,7 @@ final class ErrorModel {
     if (film.random[pixel]) {
       return RANDOM + film.level[pixel];
     }
-    return (film.kind[pixel] == Film.BUSY ? 0 : LEVELS) + film.level[pixel];
+    return LEVELS * film.kind[pixel] + film.level[pixel];
   }
 
   /**
@@ -208,16 +235,24 @@ final class ErrorModel {
   }
 
   /**
-   * Returns the variance that is left of a model's where samples find nothing wrong with it. Their
-   * own variance tells, on average over pixels, what they have found; what the model says of itself
-   * counts like two of them. What is hidden in an area a of the pixel escapes n even samples while
-   * na is below one, and hardly ever after that.
+   * Returns the variance that is left of what a model says of itself where samples find nothing
+   * wrong with it: an area a of the pixel, where colours differ by about twice the contrast,
+   * escapes n samples with a probability like exp(-na), so that a² may still be about 1/n². On
+   * average over pixels it is as much as samples do find.
    */
-  private double unseen(int pixel) {
+  private double missed(int pixel) {
     double n = film.samples(pixel);
-    double found = n * HIDDEN * (n * HIDDEN);
-    double hidden = ratio[group(pixel)] * contrast(pixel) / (1 + found * found);
-    return film.prior[film.slot[pixel]] / (1 + n * n / 4) + hidden;
+    double known = film.prior[film.slot[pixel]];
+    return known / (1 + n * n * known / (4 * contrast(pixel)));
+  }
+
+  /**
+   * Returns the variance that is left of what models do not know. What is hidden in an area a of
+   * the pixel escapes n even samples while na is below one, and hardly ever after that.
+   */
+  private double escaped(int pixel) {
+    double found = film.samples(pixel) * HIDDEN;
+    return hidden(pixel) / (1 + found * found * found * found);
   }
 
   private double contrast(int pixel) {
