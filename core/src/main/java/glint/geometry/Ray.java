@@ -5,7 +5,7 @@ package glint.geometry;
  *
  * <p>The direction has any length; {@code t} counts in units of it. Besides origin and direction it
  * holds the shear that takes the direction to the unit z axis (Woop, Benthin, Wald 2013, Watertight
- * Ray/Triangle Intersection), computed once a ray.
+ * Ray/Triangle Intersection), computed once a ray, when the first triangle asks for it.
  */
 public final class Ray {
 
@@ -37,6 +37,9 @@ public final class Ray {
   /** What a kernel's parameter is multiplied by to get that of the ray in the world. */
   double unit = 1;
 
+  /** Whether the numbers below are those of this ray. */
+  private boolean sheared;
+
   // The axis of the largest direction component, the two others in winding order, and the shear.
   int kx;
   int ky;
@@ -61,7 +64,7 @@ public final class Ray {
     this.dz = dz;
     tMin = 0;
     after = Hit.NONE;
-    prepareShear();
+    sheared = false;
   }
 
   /** Makes this the same ray as another. */
@@ -107,7 +110,15 @@ public final class Ray {
     return Double.longBitsToDouble((long) (exponent + 1023) << 52);
   }
 
-  private void prepareShear() {
+  /** Finds the shear, unless that was done. */
+  void shear() {
+    if (!sheared) {
+      sheared = true;
+      findShear();
+    }
+  }
+
+  private void findShear() {
     double ax = Math.abs(dx);
     double ay = Math.abs(dy);
     double az = Math.abs(dz);

@@ -46,6 +46,7 @@ final class TriangleKernel {
 
   static void intersect(double[] data, int at, Ray ray, Hit hit, int id) {
     // Translate to the ray's origin and shear, so that the ray runs along the z axis.
+    ray.shear();
     double az = data[at + ray.kz] - ray.okz;
     double bz = data[at + 3 + ray.kz] - ray.okz;
     double cz = data[at + 6 + ray.kz] - ray.okz;
