@@ -20,6 +20,34 @@ final class BoxKernel {
   }
 
   static void intersect(double[] data, int at, Ray ray, Hit hit, int id) {
+    if (ray.dx == 0 || ray.dy == 0 || ray.dz == 0) {
+      intersectStraight(data, at, ray, hit, id);
+      return;
+    }
+    int x = below(ray.dx);
+    int y = below(ray.dy);
+    int z = below(ray.dz);
+    double enterX = (data[at + x] - ray.ox) / ray.dx;
+    double enterY = (data[at + 1 + y] - ray.oy) / ray.dy;
+    double enterZ = (data[at + 2 + z] - ray.oz) / ray.dz;
+    double leaveX = (data[at + 3 - x] - ray.ox) / ray.dx;
+    double leaveY = (data[at + 4 - y] - ray.oy) / ray.dy;
+    double leaveZ = (data[at + 5 - z] - ray.oz) / ray.dz;
+    double near = Math.max(enterX, Math.max(enterY, enterZ));
+    double far = Math.min(leaveX, Math.min(leaveY, leaveZ));
+    if (near <= far && far > 0 && near * ray.unit <= hit.t) {
+      int nearFace = near == enterX ? x : near == enterY ? 1 + y : 2 + z;
+      int farFace = far == leaveX ? 3 - x : far == leaveY ? 4 - y : 5 - z;
+      hit.offerSolid(ray, near, far, id, nearFace, farFace);
+    }
+  }
+
+  /** Returns where, after the near plane of an axis upwards, that downwards stands. */
+  private static int below(double d) {
+    return (int) (Double.doubleToRawLongBits(d) >> 63) & 3;
+  }
+
+  private static void intersectStraight(double[] data, int at, Ray ray, Hit hit, int id) {
     double near = Double.NEGATIVE_INFINITY;
     double far = Double.POSITIVE_INFINITY;
     int nearFace = 0;
