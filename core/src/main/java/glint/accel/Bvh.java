@@ -17,9 +17,6 @@ public final class Bvh {
   /** No path from the root to a leaf is longer: see {@link BvhBuilder#SAH_DEPTH}. */
   static final int MAX_DEPTH = 64;
 
-  /** Boxes are this share of the largest coordinate wider than their primitives. */
-  static final double MARGIN = 0x1p-40;
-
   /** How many ints a node takes. */
   static final int NODE = 14;
 
@@ -57,8 +54,8 @@ public final class Bvh {
   public static Bvh over(Primitives primitives) {
     List<Bvh> models = primitives.models().stream().map(Bvh::over).collect(Collectors.toList());
     List<Primitives> shown = models.stream().map(Bvh::primitives).collect(Collectors.toList());
-    double size = largestCoordinate(primitives);
-    BvhBuilder builder = new BvhBuilder(primitives, size * MARGIN);
+    double size = Boxes.largestCoordinate(primitives);
+    BvhBuilder builder = new BvhBuilder(primitives, size * Boxes.MARGIN);
     int root = builder.build();
     // Close the gaps that leaves of several primitives left in the numbering.
     int[] place = new int[builder.used.length];
@@ -172,17 +169,5 @@ public final class Bvh {
   /** Returns the number of primitives in a leaf. */
   static int leafSize(int child) {
     return ~child & 7;
-  }
-
-  private static double largestCoordinate(Primitives primitives) {
-    double[] box = new double[6];
-    double largest = 0;
-    for (int slot = primitives.unbounded(); slot < primitives.count(); slot++) {
-      primitives.bounds(slot, box);
-      for (double v : box) {
-        largest = Math.max(largest, Math.abs(v));
-      }
-    }
-    return largest;
   }
 }

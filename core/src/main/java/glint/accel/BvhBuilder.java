@@ -44,17 +44,10 @@ final class BvhBuilder {
   final boolean[] used;
 
   BvhBuilder(Primitives primitives, double margin) {
-    int first = primitives.unbounded();
-    count = primitives.count() - first;
-    boxes = new float[6 * count];
+    boxes = Boxes.around(primitives, margin);
+    count = boxes.length / 6;
     order = new int[count];
-    double[] box = new double[6];
     for (int i = 0; i < count; i++) {
-      primitives.bounds(first + i, box);
-      for (int axis = 0; axis < 3; axis++) {
-        boxes[6 * i + axis] = roundDown(box[axis] - margin);
-        boxes[6 * i + 3 + axis] = roundUp(box[3 + axis] + margin);
-      }
       order[i] = i;
     }
     int nodes = Math.max(1, count - 1);
@@ -66,16 +59,6 @@ final class BvhBuilder {
   /** Builds the tree and returns its root: node 0, or a leaf for a few primitives. */
   int build() {
     return new Subtree(0, count, 0, 0, new float[6], 0).invoke();
-  }
-
-  private static float roundDown(double v) {
-    float f = (float) v;
-    return f > v ? Math.nextDown(f) : f;
-  }
-
-  private static float roundUp(double v) {
-    float f = (float) v;
-    return f < v ? Math.nextUp(f) : f;
   }
 
   /** A range of primitives under a node number, and where its parent wants its box. */

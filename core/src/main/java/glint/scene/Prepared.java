@@ -1,5 +1,6 @@
 package glint.scene;
 
+import glint.accel.Boxes;
 import glint.accel.Bvh;
 import glint.accel.Intersector;
 import glint.color.Rgb;
@@ -221,7 +222,7 @@ public final class Prepared {
 
   /** Returns a search for hits, for one worker. */
   public Intersector intersector() {
-    return tree == null ? new Intersector(primitives) : new Intersector(tree);
+    return tree == null ? new Intersector(Boxes.around(primitives)) : new Intersector(tree);
   }
 
   /**

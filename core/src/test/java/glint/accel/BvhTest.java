@@ -23,7 +23,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 
-/** The tree finds what a scan of everything finds, bit for bit. */
+/** A tree, and boxes without one, find what a scan of everything finds, bit for bit. */
 class BvhTest {
 
   private static Vector3d v(double x, double y, double z) {
@@ -62,8 +62,15 @@ class BvhTest {
   }
 
   private static void assertSame(Primitives primitives, Random r, int rays, double distance) {
-    Bvh tree = Bvh.over(primitives);
-    Intersector fast = new Intersector(tree);
+    Intersector tree = new Intersector(Bvh.over(primitives));
+    assertSame(primitives, tree, r, rays, distance);
+    if (primitives.count() < 200) {
+      assertSame(primitives, new Intersector(Boxes.around(primitives)), r, rays, distance);
+    }
+  }
+
+  private static void assertSame(
+      Primitives primitives, Intersector fast, Random r, int rays, double distance) {
     Intersector scan = new Intersector(primitives);
     Ray ray = new Ray();
     Hit a = new Hit();
@@ -183,7 +190,7 @@ class BvhTest {
     for (double spread : new double[] {0.01, 0.5, 1}) {
       Bvh tree = Bvh.over(soup(new Random(5), 5000, spread));
       // Half of what boxes are widened by: computing a wider box in doubles has rounded, too.
-      assertTrue(tree.tightestMargin() >= tree.size() * Bvh.MARGIN / 2);
+      assertTrue(tree.tightestMargin() >= tree.size() * Boxes.MARGIN / 2);
     }
   }
 
