@@ -202,13 +202,13 @@ public final class PeersTable {
           glint.setting(),
           glint.levels(),
           glint.seconds(),
-          text(povray),
-          text(sunflow),
-          text(both.map(peer -> glint.seconds() / peer).max()));
+          text("%.3f", povray),
+          text("%.3f", sunflow),
+          text("%.2f", both.map(peer -> glint.seconds() / peer).max()));
     }
   }
 
-  private static String text(OptionalDouble seconds) {
-    return seconds.isPresent() ? String.format(Locale.ROOT, "%.3f", seconds.getAsDouble()) : "–";
+  private static String text(String format, OptionalDouble value) {
+    return value.isPresent() ? String.format(Locale.ROOT, format, value.getAsDouble()) : "–";
   }
 }
