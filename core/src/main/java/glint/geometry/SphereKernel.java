@@ -34,6 +34,10 @@ final class SphereKernel {
     double r = data[at + 3];
     double a = ray.dx * ray.dx + ray.dy * ray.dy + ray.dz * ray.dz;
     double b = fx * ray.dx + fy * ray.dy + fz * ray.dz;
+    double c = fx * fx + fy * fy + fz * fz - r * r;
+    if (b > 0 && c > 0) { // begins outside and leads away: both roots are below zero
+      return;
+    }
 
     // Compute the foot of the perpendicular from the centre to the line, relative to the centre.
     double s = b / a;
@@ -46,7 +50,6 @@ final class SphereKernel {
     }
 
     // Compute both roots without cancellation.
-    double c = fx * fx + fy * fy + fz * fz - r * r;
     double root = Math.sqrt(discriminant);
     double near;
     double far;
