@@ -77,9 +77,25 @@ public final class Intersector {
 
   /** Returns whether anything is hit in {@code (ray.tMin, tMax]}. */
   public boolean any(Ray ray, double tMax, Hit scratch) {
+    return blocker(ray, tMax, -1, scratch) >= 0;
+  }
+
+  /**
+   * Does the same, but tries one primitive before others: what was in the way of the last ray is
+   * likely to be in that of the next.
+   *
+   * @param first its slot, or -1 for none
+   * @return the slot of what is hit, or -1
+   */
+  public int blocker(Ray ray, double tMax, int first, Hit scratch) {
     scratch.begin(tMax);
-    search(ray, scratch, true);
-    return scratch.found();
+    if (first >= 0) {
+      intersect(first, ray, scratch, true);
+    }
+    if (!scratch.found()) {
+      search(ray, scratch, true);
+    }
+    return scratch.found() ? scratch.slot() : -1;
   }
 
   /** Fills in point, normal and surface of a hit that was found with this ray. */

@@ -111,6 +111,11 @@ public final class Hit {
     return primitive != NONE;
   }
 
+  /** Returns where the primitive that was hit stands in its arrays. */
+  public int slot() {
+    return slot;
+  }
+
   /** Records a hit if it is in range and closer; equal parameters go to the lower primitive. */
   void offer(Ray ray, double local, int id, int newCrossing, double newU, double newV) {
     double candidate = local * ray.unit;

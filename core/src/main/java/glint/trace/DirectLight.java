@@ -15,6 +15,7 @@ import glint.sampling.SobolSampler;
 import glint.scene.Prepared;
 import glint.scene.RenderPlan;
 import glint.trace.RayTree.Fate;
+import java.util.Arrays;
 
 /** What a surface gives by itself: emission, ambient light, and the lights that reach it. */
 final class DirectLight {
@@ -27,6 +28,10 @@ final class DirectLight {
   private final Signature signature;
   private final Ray shadowRay = new Ray();
   private final Hit blocker = new Hit();
+
+  /** For each light the slot of what was in its way to the last point, or -1. */
+  private final int[] blockers;
+
   private final LightSample light = new LightSample();
   private final Interior interior;
   private final Boundary boundary;
@@ -62,6 +67,8 @@ final class DirectLight {
     this.intersector = intersector;
     this.counts = counts;
     this.signature = signature;
+    blockers = new int[lights.count()];
+    Arrays.fill(blockers, -1);
     interior = new Interior(scene);
     boundary = new Boundary(scene, intersector);
     pattern.set(Rgb.WHITE);
@@ -148,12 +155,14 @@ final class DirectLight {
     counts.shadow++;
     double end = lights.shadowRay(i, light, hit, shadowRay);
     if (!plan.refraction().used()) {
-      boolean blocked = intersector.any(shadowRay, end, blocker);
-      if (blocked && recorder != null) {
+      int slot = intersector.blocker(shadowRay, end, blockers[i], blocker);
+      if (recorder == null) {
+        blockers[i] = slot;
+      } else if (slot >= 0) { // what is told does not depend on other rays
         intersector.resolve(shadowRay, blocker);
         recorder.crosses(blocker, blocker.surface, 0, Rgb.BLACK);
       }
-      return !blocked;
+      return slot < 0;
     }
     interior.copy(around);
     return passes(end);
