@@ -39,7 +39,7 @@ public final class PeersTable {
   private static final double TURN = 0.3;
 
   /** CPU seconds of a setting after which no slower ones are tried. */
-  private static final double PATIENCE = 5;
+  private static final double PATIENCE = 20;
 
   /** CPU seconds of renders before the turns, for what is compiled while it runs. */
   private static final double WARM_UP = 10;

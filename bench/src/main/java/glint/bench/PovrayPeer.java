@@ -41,7 +41,7 @@ final class PovrayPeer implements Peer {
   @Override
   public List<String> settings() {
     List<String> settings = new ArrayList<>(List.of("-A"));
-    for (String shape : List.of("1 2", "2 1", "1 3", "2 2", "1 4", "1 6", "2 3", "1 9", "2 4")) {
+    for (String shape : List.of("1 2", "2 1", "1 3", "2 2", "1 4", "2 3", "1 6", "2 4", "1 9")) {
       for (String threshold : THRESHOLDS) {
         String[] methodAndDepth = shape.split(" ");
         settings.add("+AM" + methodAndDepth[0] + " +A" + threshold + " +R" + methodAndDepth[1]);

@@ -67,8 +67,9 @@ public final class SunflowPeer implements Peer {
   @Override
   public List<String> settings() {
     List<String> settings = new ArrayList<>();
-    for (int max = 0; max <= 4; max++) {
-      for (int min = 0; min <= Math.min(max, 2); min++) {
+    for (int sum = 0; sum <= 6; sum++) {
+      for (int max = (sum + 1) / 2; max <= Math.min(sum, 4); max++) {
+        int min = sum - max;
         for (double contrast : new double[] {0.1, 0.02}) {
           if (min < max || contrast == 0.1) {
             settings.add(
