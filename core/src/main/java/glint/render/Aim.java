@@ -19,6 +19,9 @@ final class Aim {
   /** The radiance of the pixel as far as it is known. */
   private final double[] guess = new double[3];
 
+  /** The variance of the corners that it begins with, in levels². */
+  private double contrast;
+
   Aim(CornerGrid corners, LevelScale scale, Probe probe) {
     this.corners = corners;
     this.scale = scale;
@@ -39,7 +42,9 @@ final class Aim {
       }
     }
     double missing = first.isEmpty() ? 0 : missing(x, y);
-    return missing > NOTHING * NOTHING ? new Focus(first, second, guess.clone(), missing) : null;
+    return missing > NOTHING * NOTHING
+        ? new Focus(first, second, guess.clone(), missing, contrast)
+        : null;
   }
 
   private boolean isSeen(SmallThings.Glimpse glimpse) {
@@ -72,6 +77,8 @@ final class Aim {
   /** Begins with the mean of the corners of a pixel where nothing small is; of all if there is. */
   private void around(int x, int y, List<SmallThings.Glimpse> glimpses) {
     Arrays.fill(guess, 0);
+    double[] squares = new double[3];
+    double[] levels = new double[3];
     int count = 0;
     for (int i = 0; i < 4; i++) {
       int column = x + (i & 1);
@@ -79,12 +86,19 @@ final class Aim {
       if (glimpses.stream().noneMatch(each -> each.part().contains(column, row))) {
         count++;
         for (int channel = 0; channel < 3; channel++) {
-          guess[channel] += corners.rgb[3 * (row * corners.stride + column) + channel];
+          double radiance = corners.rgb[3 * (row * corners.stride + column) + channel];
+          double level = scale.level(radiance);
+          guess[channel] += radiance;
+          levels[channel] += level;
+          squares[channel] += level * level;
         }
       }
     }
+    contrast = 0;
     for (int channel = 0; channel < 3; channel++) {
       guess[channel] = count == 0 ? corners.mean(x, y, channel) : guess[channel] / count;
+      double mean = levels[channel] / Math.max(1, count);
+      contrast += Math.max(0, squares[channel] / Math.max(1, count) - mean * mean) / 3;
     }
   }
 }

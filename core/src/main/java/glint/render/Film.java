@@ -159,7 +159,7 @@ final class Film {
   void aim(int pixel, Focus seen) {
     kind[pixel] = BUSY;
     if (seen.area() > LARGE) {
-      contrast[pixel] = Math.max(contrast[pixel], (float) seen.doubt);
+      contrast[pixel] = Math.max(contrast[pixel], (float) seen.unseen());
     } else {
       contrast[pixel] = random[pixel] ? contrast[pixel] : 0;
       focus.put(pixel, seen);

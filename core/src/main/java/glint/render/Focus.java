@@ -36,19 +36,26 @@ final class Focus {
   /** What share of what is missing, squared, the first guess may be wrong by. */
   private static final double DOUBT = 0.03;
 
+  /** What share of the variance of the corners it may be wrong by in the rest of the pixel. */
+  private static final double REST = 0.3;
+
   /** The pixel as far as one ray for each thing says. */
   final double[] guess;
 
-  /** How wrong that may be: the square, in levels². */
-  final double doubt;
+  /** How wrong that may be in the parts, and in the rest of the pixel: the squares, in levels². */
+  private final double doubt;
+
+  private final double restDoubt;
 
   /**
    * Sets up the parts, in places of the image; the second may be empty.
    *
    * @param guess the radiance of the pixel as far as it is known
    * @param missing by how much that is off the pixel's corners: the square, in levels²
+   * @param contrast the variance of the corners where the parts are not, in levels²
    */
-  Focus(ConvexPolygon first, ConvexPolygon second, double[] guess, double missing) {
+  Focus(
+      ConvexPolygon first, ConvexPolygon second, double[] guess, double missing, double contrast) {
     this.guess = guess;
     doubt = DOUBT * missing;
     ConvexPolygon common = new ConvexPolygon();
@@ -63,6 +70,7 @@ final class Focus {
     this.second = second;
     double area = first.area();
     areas = two ? new double[] {1 - area - own, area, own} : new double[] {1 - area, area};
+    restDoubt = REST * contrast * areas[0] * areas[0];
     sums = new double[NUMBERS * areas.length];
     drawn = new int[areas.length];
     counts = new int[areas.length];
@@ -138,11 +146,12 @@ final class Focus {
   }
 
   /**
-   * Returns the variance, in levels², of what samples may have missed: as with an area of which
-   * nothing is known, it falls with the square of their number.
+   * Returns the variance, in levels², of what is not known without samples, or may be missed by
+   * them: as with an area of which nothing is known, it falls with the square of their number.
    */
   double unseen() {
     double n = counts[1] + 1;
-    return doubt / (n * n);
+    double rest = counts[0] + 1;
+    return doubt / (n * n) + restDoubt / (rest * rest);
   }
 }

@@ -77,7 +77,7 @@ final class Refiner {
     Focus focus = film.kind[pixel] == Film.BUSY ? film.focus.get(pixel) : null;
     if (focus != null) {
       film.image.set(x, y, focus.guess[0], focus.guess[1], focus.guess[2]);
-      film.own[pixel] = (float) focus.doubt;
+      film.own[pixel] = (float) focus.unseen();
       return;
     }
     showCorners(x, y);
