@@ -120,7 +120,7 @@ public final class Illumination {
   }
 
   /** Returns what rays meet of a light, or null if it has no area. */
-  Surface shape(int i) {
+  public Surface shape(int i) {
     return lamp[i] == null ? null : lamp[i].shape();
   }
 

@@ -64,7 +64,7 @@ final class Audit {
         double now = film.image.rgb()[3 * pixels[i] + channel];
         wrong += scale.squaredDifference(now, values[3 * i + channel]) / 3;
       }
-      model.audit(pixels[i], groups[i], wrong - known[i] - model.noise(pixels[i]));
+      model.audit(pixels[i], groups[i], wrong - known[i] - model.sampled(pixels[i]));
       // An edge that is where it was thought to be is cheaper searched than sampled.
       if (film.kind[pixels[i]] == Film.SPLIT && wrong <= EXPLAINED * known[i]) {
         film.forget(pixels[i]);

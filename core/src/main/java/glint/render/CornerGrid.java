@@ -22,7 +22,7 @@ final class CornerGrid {
   /** What each corner's ray met. */
   final long[] signature;
 
-  /** The number of the surface that each corner sees, or -1. */
+  /** What each corner sees, as in {@link glint.trace.Tracer#first}. */
   final int[] first;
 
   /** Linear radiance, three numbers a corner. */

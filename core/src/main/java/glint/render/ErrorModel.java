@@ -196,13 +196,13 @@ final class ErrorModel {
       return film.own[pixel] + hidden(pixel);
     }
     if (film.kind[pixel] == Film.BUSY) {
-      return noise(pixel);
+      return sampled(pixel) + surprise(pixel);
     }
-    return 0.5 * (noise(pixel) + trust[kind(pixel)] * missed(pixel)) + escaped(pixel);
+    return 0.5 * (sampled(pixel) + trust[kind(pixel)] * missed(pixel)) + escaped(pixel);
   }
 
   /** Returns the variance of a sampled pixel's mean as its samples tell it. */
-  double noise(int pixel) {
+  double sampled(int pixel) {
     return gain[kind(pixel)] * spread(pixel);
   }
 
@@ -220,18 +220,26 @@ final class ErrorModel {
 
   /**
    * Returns the variance of a mean of as many independent samples. To those of a pixel without a
-   * model, one of the contrast around is added: they may all have missed something. Where samples
-   * are random, what those around find is added, too: a pixel that a few samples take for even
-   * would not be looked at again.
+   * model, one of the contrast around is added: they may all have missed something.
    */
   private double spread(int pixel) {
     double n = film.samples(pixel);
     if (film.kind[pixel] != Film.BUSY) {
       return (n - 1) * film.own[pixel] / n;
     }
-    double others = film.contrast[pixel] + AROUND * film.noise[pixel];
     double count = film.random[pixel] ? n + AROUND : n;
-    return ((n - 1) * film.own[pixel] + others / n) / count;
+    return ((n - 1) * film.own[pixel] + film.contrast[pixel] / n) / count;
+  }
+
+  /**
+   * Returns the variance of what samples around a pixel, or its corners, have found and its own
+   * have not: a pixel that a few samples take for even would not be looked at again. No even
+   * sequence makes that less.
+   */
+  private double surprise(int pixel) {
+    double n = film.samples(pixel);
+    double more = film.noise[pixel] - n * film.own[pixel];
+    return more > 0 ? AROUND * more / (n * (n + AROUND)) : 0;
   }
 
   /**

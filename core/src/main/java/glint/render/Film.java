@@ -62,7 +62,7 @@ final class Film {
   /** The parts of pixels that are sampled by themselves, by pixel. */
   final Map<Integer, Focus> focus = new HashMap<>();
 
-  /** What single samples around a pixel of random ones find: as much would here be, in levels². */
+  /** What single samples around find, or bright corners show: as much would here be, in levels². */
   final float[] noise;
 
   /** Whether more is known of the edges of a pixel, or of those around, since its estimate. */

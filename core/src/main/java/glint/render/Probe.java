@@ -164,7 +164,7 @@ final class Probe {
     return tracer.imageY();
   }
 
-  /** Returns the number of the surface that the last ray met first, or -1. */
+  /** Returns what the last ray met first, as in {@link Tracer#first}. */
   int first() {
     return tracer.first;
   }

@@ -177,7 +177,26 @@ final class Refiner {
       double spread = Math.sqrt(film.noiseAround(x, y, channel) / n);
       sum += n * scale.squaredError(mean, spread);
     }
-    film.noise[pixel] = (float) (sum / 3);
+    film.noise[pixel] = (float) Math.max(sum / 3, (double) n * n * glare(x, y, n));
+  }
+
+  /**
+   * Returns by how much, on average and squared, in levels², the mean of n samples would change if
+   * a corner that is brighter than white were one more of them.
+   */
+  private double glare(int x, int y, int n) {
+    double sum = 0;
+    for (int i = 0; i < 4; i++) {
+      int at = 3 * ((y + (i >> 1)) * corners.stride + x + (i & 1));
+      for (int channel = 0; channel < 3; channel++) {
+        double bright = corners.rgb[at + channel];
+        if (bright > 1) {
+          double now = film.image.rgb()[3 * (y * film.width + x) + channel];
+          sum += scale.squaredDifference(now + (bright - now) / (n + 1), now);
+        }
+      }
+    }
+    return sum / 12;
   }
 
   private void keepMean(int slot) {

@@ -2,10 +2,13 @@ package glint.render;
 
 import glint.geometry.Mesh;
 import glint.geometry.Outline;
+import glint.geometry.Surface;
+import glint.math.Transform;
 import glint.math.Vector3d;
 import glint.scene.Placement;
 import glint.scene.Prepared;
 import glint.scene.View;
+import glint.trace.Tracer;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
@@ -15,11 +18,11 @@ import java.util.TreeMap;
  * Finds by projection where things may be seen that are too small or too thin for the rays through
  * the pixels' corners.
  *
- * <p>Every convex surface, and every triangle of a mesh, is projected onto the image. A part of a
- * pixel that it covers is such a place if no corner of the pixel lies in it, or if all of the
- * surface is less than a pixel wide. Of a mesh, whose triangles are small anyway, no corner of the
- * pixel may see it, or all corners of no pixel around. Whether anything is really seen there is for
- * a ray to find out.
+ * <p>Every convex surface, every lamp and every triangle of a mesh is projected onto the image. A
+ * part of a pixel that it covers is such a place if no corner of the pixel lies in it, or if all of
+ * the surface is less than a pixel wide. Of a mesh, whose triangles are small anyway, no corner of
+ * the pixel may see it, or all corners of no pixel around. Whether anything is really seen there is
+ * for a ray to find out.
  */
 final class SmallThings {
 
@@ -76,15 +79,24 @@ final class SmallThings {
       if (p.surface() instanceof Mesh mesh) {
         mesh(mesh, p, surface);
       } else {
-        List<Vector3d> outline = Outline.of(p.surface(), p.toWorld(), view.eye());
-        if (!outline.isEmpty()) {
-          project(outline);
-          look(surface, false);
-        }
+        convex(p.surface(), p.toWorld(), surface);
       }
       surface += p.materials().size();
     }
+    for (int i = 0; i < scene.lights().count(); i++) {
+      if (scene.lights().shape(i) != null) {
+        convex(scene.lights().shape(i), Transform.IDENTITY, Tracer.lamp(i));
+      }
+    }
     return glimpses;
+  }
+
+  private void convex(Surface shape, Transform toWorld, int surface) {
+    List<Vector3d> outline = Outline.of(shape, toWorld, view.eye());
+    if (!outline.isEmpty()) {
+      project(outline);
+      look(surface, false);
+    }
   }
 
   private void mesh(Mesh mesh, Placement p, int first) {

@@ -57,6 +57,7 @@ final class Split {
     place(sides.middle(crossed[0]), sides.middle(crossed[1]));
     parts.fromSearch(column, row, which, x, y);
     bend(column, row);
+    doubt += isInside(bulge) ? 0 : Math.abs(bulge);
     return once;
   }
 

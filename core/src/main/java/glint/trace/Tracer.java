@@ -77,7 +77,7 @@ public final class Tracer {
   /** A bound, in any channel, on the radiance that the last call of {@link #trace} left out. */
   public double cut;
 
-  /** The number of the surface that the last camera ray met first, or -1. */
+  /** What the last camera ray met first: the number of a surface, {@link #lamp}, or -1. */
   public int first;
 
   /** Makes a tracer that tells nobody. */
@@ -194,6 +194,7 @@ public final class Tracer {
         recorder.follows(f, level, depth, depth > bounces);
       }
       if (!advance(f)) {
+        first = shines && level + depth == 0 ? lamp(lamps.light()) : first;
         addEnd(f);
         return;
       }
@@ -233,6 +234,11 @@ public final class Tracer {
         return;
       }
     }
+  }
+
+  /** Returns what {@link #first} is where a lamp is met, by the number of its light. */
+  public static int lamp(int light) {
+    return -2 - light;
   }
 
   /** Goes to the next surface that is seen; returns whether there is one before any lamp. */
