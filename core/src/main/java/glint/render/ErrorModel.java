@@ -239,7 +239,7 @@ final class ErrorModel {
   private double surprise(int pixel) {
     double n = film.samples(pixel);
     double more = film.noise[pixel] - n * film.own[pixel];
-    return more > 0 ? AROUND * more / (n * (n + AROUND)) : 0;
+    return more > 0 ? more / (n * (n + AROUND)) : 0;
   }
 
   /**
