@@ -35,6 +35,7 @@ final class Allocation {
 
   private final Film film;
   private final ErrorModel model;
+  private final Hidden hidden;
   private final double[] gain = new double[BINS];
   private double total;
   private double margin;
@@ -56,9 +57,10 @@ final class Allocation {
 
   private double quietSquares;
 
-  Allocation(Film film, ErrorModel model) {
+  Allocation(Film film, ErrorModel model, Hidden hidden) {
     this.film = film;
     this.model = model;
+    this.hidden = hidden;
     all = new int[film.kind.length];
     Arrays.setAll(all, pixel -> pixel);
     active = all;
@@ -200,7 +202,7 @@ final class Allocation {
     if (film.kind[pixel] != Film.SPLIT || film.level[pixel] > 0) {
       return false;
     }
-    double lasting = model.hidden(pixel) + film.doubt[pixel];
+    double lasting = hidden.variance(pixel) + film.doubt[pixel];
     return film.own[pixel] - film.doubt[pixel] > SEARCHED * lasting;
   }
 

@@ -23,14 +23,17 @@ final class Audit {
 
   private final Film film;
   private final ErrorModel model;
+  private final Hidden hidden;
   private final LevelScale scale;
   private final Sampling sampling;
   private final long seed;
   private final double rarer;
 
-  Audit(Film film, ErrorModel model, LevelScale scale, Sampling sampling, long seed) {
+  Audit(
+      Film film, ErrorModel model, Hidden hidden, LevelScale scale, Sampling sampling, long seed) {
     this.film = film;
     this.model = model;
+    this.hidden = hidden;
     this.scale = scale;
     this.sampling = sampling;
     this.seed = SobolSampler.mix(seed);
@@ -49,14 +52,14 @@ final class Audit {
     double[] known = new double[pixels.length];
     double[] values = new double[3 * pixels.length];
     for (int i = 0; i < pixels.length; i++) {
-      groups[i] = model.group(pixels[i]);
+      groups[i] = hidden.group(pixels[i]);
       known[i] = film.own[pixels[i]];
       System.arraycopy(film.image.rgb(), 3 * pixels[i], values, 3 * i, 3);
     }
     sampling.run();
     Arrays.stream(pixels).filter(film::foundMore).forEach(sampling::choose);
     sampling.run(SECOND_LOOK);
-    model.forgetAudits();
+    hidden.forget();
     model.learn();
     for (int i = 0; i < pixels.length; i++) {
       double wrong = 0;
@@ -64,7 +67,7 @@ final class Audit {
         double now = film.image.rgb()[3 * pixels[i] + channel];
         wrong += scale.squaredDifference(now, values[3 * i + channel]) / 3;
       }
-      model.audit(pixels[i], groups[i], wrong - known[i] - model.sampled(pixels[i]));
+      hidden.audit(pixels[i], groups[i], wrong - known[i] - model.sampled(pixels[i]));
       // An edge that is where it was thought to be is cheaper searched than sampled.
       if (film.kind[pixels[i]] == Film.SPLIT && wrong <= EXPLAINED * known[i]) {
         film.forget(pixels[i]);

@@ -1,7 +1,5 @@
 package glint.render;
 
-import java.util.Arrays;
-
 /**
  * Estimates the variance of every pixel's mean, in levels²; learns what it needs from the very
  * image at hand.
@@ -12,9 +10,6 @@ import java.util.Arrays;
  * like n^-1.5, as it does at edges, V(n) is that over 2^1.5 - 1; of random samples, how moves fall
  * from doubling to doubling tells the exponent. Summed over all pixels with n samples, this says
  * how much better they are than independent ones.
- *
- * <p>What the model of an unsampled pixel gets wrong is learned from audits: samples of a few
- * pixels of every kind and surroundings, in relation to the contrast around them.
  */
 final class ErrorModel {
 
@@ -47,21 +42,6 @@ final class ErrorModel {
 
   private static final int RANDOM = 3 * LEVELS;
 
-  /** Kinds times surroundings. */
-  private static final int GROUPS = 32;
-
-  /** The area, as a share of the pixel, of a typical thing that a model knows nothing of. */
-  private static final double HIDDEN = 0.15;
-
-  /** What models get wrong before any audit, in relation to the contrast around, squared. */
-  private static final double FIRST_GUESS = 0.002;
-
-  /** As how many audits that guess counts. */
-  private static final int GUESSED = 10;
-
-  /** Added to contrasts: what is worth a level. */
-  private static final double LEAST_CONTRAST = 1;
-
   /** As how many pixels it counts that models are as wrong as they say themselves. */
   private static final int DISTRUST = 50;
 
@@ -69,20 +49,23 @@ final class ErrorModel {
   private static final double AROUND = 3;
 
   private final Film film;
+  private final Hidden hidden;
   private final double[] moved = new double[KINDS];
   private final double[] spread = new double[KINDS];
   private final int[] pixels = new int[KINDS];
-  private final double[] wrong = new double[GROUPS];
-  private final double[] contrast = new double[GROUPS];
-  private final int[] audits = new int[GROUPS];
-  private final double[] ratio = new double[GROUPS];
   private final double[] gain = new double[KINDS];
   private final double[] doubted = new double[KINDS];
   private final double[] trust = new double[KINDS];
   private double randomFall;
 
-  ErrorModel(Film film) {
+  /**
+   * Makes a model that has learned nothing yet.
+   *
+   * @param hidden what it adds to the variance of unsampled pixels; learns when this does
+   */
+  ErrorModel(Film film, Hidden hidden) {
     this.film = film;
+    this.hidden = hidden;
     learn();
   }
 
@@ -93,30 +76,6 @@ final class ErrorModel {
     spread[kind] += spread(pixel);
     doubted[kind] += film.kind[pixel] == Film.BUSY ? 0 : missed(pixel);
     pixels[kind]++;
-  }
-
-  /**
-   * Notes an audit.
-   *
-   * @param group of the pixel, as {@link #group} gave it
-   * @param squared by how much the model was wrong, squared, less what is known to explain it
-   */
-  void audit(int pixel, int group, double squared) {
-    wrong[group] += squared;
-    contrast[group] += contrast(pixel);
-    audits[group]++;
-  }
-
-  /** Forgets what earlier audits found: pixels that are left now may be others. */
-  void forgetAudits() {
-    Arrays.fill(wrong, 0);
-    Arrays.fill(contrast, 0);
-    Arrays.fill(audits, 0);
-  }
-
-  /** Returns the kind and surroundings of an unsampled pixel that has a model. */
-  int group(int pixel) {
-    return 16 * film.kind[pixel] + film.surroundings[pixel];
   }
 
   /** Draws conclusions from what was noted; call it after notes, before estimates. */
@@ -137,23 +96,7 @@ final class ErrorModel {
       double found = doubted[kind] > 0 ? gain[kind] * spread[kind] / doubted[kind] : 1;
       trust[kind] = (pixels[kind] * found + 2 * DISTRUST) / (pixels[kind] + DISTRUST);
     }
-    for (int first = 0; first < GROUPS; first += 16) {
-      double allWrong = 0;
-      double allContrast = 0;
-      int all = 0;
-      for (int group = first; group < first + 16; group++) {
-        allWrong += wrong[group];
-        allContrast += contrast[group];
-        all += audits[group];
-      }
-      double guess = all == 0 ? 1 : GUESSED * allContrast / all;
-      double common = (allWrong + FIRST_GUESS * guess) / (allContrast + guess);
-      for (int group = first; group < first + 16; group++) {
-        double weight = audits[group] == 0 ? 1 : GUESSED * contrast[group] / audits[group];
-        double mean = (wrong[group] + weight * common) / (contrast[group] + weight);
-        ratio[group] = Math.max(0, mean);
-      }
-    }
+    hidden.learn();
   }
 
   /**
@@ -193,22 +136,17 @@ final class ErrorModel {
   /** Returns the estimate of a pixel's variance. */
   double variance(int pixel) {
     if (film.level[pixel] == 0) {
-      return film.own[pixel] + hidden(pixel);
+      return film.own[pixel] + hidden.variance(pixel);
     }
     if (film.kind[pixel] == Film.BUSY) {
       return sampled(pixel) + surprise(pixel);
     }
-    return 0.5 * (sampled(pixel) + trust[kind(pixel)] * missed(pixel)) + escaped(pixel);
+    return 0.5 * (sampled(pixel) + trust[kind(pixel)] * missed(pixel)) + hidden.escaped(pixel);
   }
 
   /** Returns the variance of a sampled pixel's mean as its samples tell it. */
   double sampled(int pixel) {
     return gain[kind(pixel)] * spread(pixel);
-  }
-
-  /** Returns the part of the variance of an unsampled pixel that its model knows nothing of. */
-  double hidden(int pixel) {
-    return film.kind[pixel] == Film.BUSY ? 0 : ratio[group(pixel)] * contrast(pixel);
   }
 
   private int kind(int pixel) {
@@ -251,19 +189,6 @@ final class ErrorModel {
   private double missed(int pixel) {
     double n = film.samples(pixel);
     double known = film.prior[film.slot[pixel]];
-    return known / (1 + n * n * known / (4 * contrast(pixel)));
-  }
-
-  /**
-   * Returns the variance that is left of what models do not know. What is hidden in an area a of
-   * the pixel escapes n even samples while na is below one, and hardly ever after that.
-   */
-  private double escaped(int pixel) {
-    double found = film.samples(pixel) * HIDDEN;
-    return hidden(pixel) / (1 + found * found * found * found);
-  }
-
-  private double contrast(int pixel) {
-    return film.contrast[pixel] + LEAST_CONTRAST;
+    return known / (1 + n * n * known / (4 * hidden.contrast(pixel)));
   }
 }

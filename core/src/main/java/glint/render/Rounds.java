@@ -54,12 +54,13 @@ final class Rounds {
     this.sides = sides;
     this.scale = scale;
     this.crew = crew;
-    model = new ErrorModel(film);
-    allocation = new Allocation(film, model);
+    Hidden hidden = new Hidden(film);
+    model = new ErrorModel(film, hidden);
+    allocation = new Allocation(film, model, hidden);
     tiles = new Tiles(settings);
     done = new TileCount(progress, tiles);
     sampling = new Sampling(film, model, crew, done);
-    audit = new Audit(film, model, scale, sampling, settings.seed());
+    audit = new Audit(film, model, hidden, scale, sampling, settings.seed());
   }
 
   /**
