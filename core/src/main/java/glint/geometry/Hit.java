@@ -22,6 +22,11 @@ public final class Hit {
    */
   public static final double FARTHEST = 0x1p336;
 
+  /** Between these, the square of a length has all of its digits, though single terms vanish. */
+  private static final double LEAST_SQUARE = 0x1p-800;
+
+  private static final double MOST_SQUARE = 0x1p800;
+
   /** The parameter of the closest hit so far, or the end of the search. */
   public double t;
 
@@ -130,17 +135,27 @@ public final class Hit {
     }
   }
 
-  /** Sets the normal to the unit vector of a direction of any length but zero. */
+  /**
+   * Sets the normal to the unit vector of a direction of any length but zero; the same, bit for
+   * bit, for all powers of two times it.
+   */
   void setNormal(double x, double y, double z) {
-    // Divide by a power of two first, so that no square overflows or vanishes.
-    double scale = Ray.power(-Ray.exponent(x, y, z));
-    double sx = x * scale;
-    double sy = y * scale;
-    double sz = z * scale;
-    double inverse = 1 / Math.sqrt(sx * sx + sy * sy + sz * sz);
-    nx = sx * inverse;
-    ny = sy * inverse;
-    nz = sz * inverse;
+    double squared = x * x + y * y + z * z;
+    if (squared >= LEAST_SQUARE && squared <= MOST_SQUARE) {
+      double inverse = 1 / Math.sqrt(squared);
+      nx = x * inverse;
+      ny = y * inverse;
+      nz = z * inverse;
+    } else {
+      double scale = Ray.power(-Ray.exponent(x, y, z));
+      double sx = x * scale;
+      double sy = y * scale;
+      double sz = z * scale;
+      double inverse = 1 / Math.sqrt(sx * sx + sy * sy + sz * sz);
+      nx = sx * inverse;
+      ny = sy * inverse;
+      nz = sz * inverse;
+    }
   }
 
   /**

@@ -46,6 +46,25 @@ class KernelsTest {
     return new Vector3d(x, y, z);
   }
 
+  /** Squares of most of these, unless scaled, are zero or infinite. */
+  @Test
+  void aNormalIsTheSameToTheBitForAllPowersOfTwo() {
+    Random r = new Random(7);
+    for (int i = 0; i < 2000; i++) {
+      double x = r.nextGaussian();
+      double y = Math.scalb(r.nextGaussian(), -r.nextInt(300));
+      double z = Math.scalb(r.nextGaussian(), -r.nextInt(30));
+      Hit hit = new Hit();
+      hit.setNormal(x, y, z);
+      Vector3d n = v(hit.nx, hit.ny, hit.nz);
+      assertEquals(1, n.length(), 0x1p-51);
+      for (int e : new int[] {-600, -401, -390, 1, 380, 401, 900}) {
+        hit.setNormal(Math.scalb(x, e), Math.scalb(y, e), Math.scalb(z, e));
+        assertEquals(n, v(hit.nx, hit.ny, hit.nz));
+      }
+    }
+  }
+
   @Test
   void aTangentRayHitsAndItsNeighbourOneUlpOutDoesNot() {
     Sphere unit = new Sphere(Vector3d.ZERO, 1);
