@@ -195,29 +195,6 @@ final class Film {
         count == 0 ? contrast[pixel] : Math.max(contrast[pixel], (float) (sum / count));
   }
 
-  /**
-   * Returns the mean variance, linear, of single samples of the sampled pixels around one.
-   *
-   * @param channel of the colour
-   */
-  double noiseAround(int x, int y, int channel) {
-    double sum = 0;
-    int count = 0;
-    for (int row = Math.max(0, y - 1); row <= Math.min(height - 1, y + 1); row++) {
-      for (int column = Math.max(0, x - 1); column <= Math.min(width - 1, x + 1); column++) {
-        int other = row * width + column;
-        boolean here = row == y && column == x;
-        if (!here && level[other] > 0 && !focus.containsKey(other)) {
-          int at = SLOT * slot[other] + channel;
-          int n = Math.max(2, valid[slot[other]]);
-          sum += Math.max(0, sums[at + 3] - sums[at] * sums[at] / n) / (n - 1);
-          count++;
-        }
-      }
-    }
-    return count == 0 ? 0 : sum / count;
-  }
-
   /** Returns whether samples of a pixel differ much from what its model says. */
   boolean foundMore(int pixel) {
     return level[pixel] > 0 && samples(pixel) * own[pixel] > FOUND;

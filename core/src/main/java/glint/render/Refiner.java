@@ -26,6 +26,7 @@ final class Refiner {
   final Probe probe;
   final Survey survey;
   final Aim aim;
+  final NoiseAround noise;
 
   Refiner(Film film, CornerGrid corners, Sides sides, LevelScale scale, Probe probe) {
     this.film = film;
@@ -37,6 +38,7 @@ final class Refiner {
     bends = new Bends(corners, scale);
     survey = new Survey(film, corners, probe);
     aim = new Aim(corners, scale, probe);
+    noise = new NoiseAround(film, corners, scale);
   }
 
   /** Estimates all pixels of a row, like {@link #estimate}. */
@@ -61,7 +63,7 @@ final class Refiner {
     int pixel = y * film.width + x;
     if (film.level[pixel] > 0) {
       if (film.random[pixel]) {
-        listen(x, y);
+        noise.listen(x, y);
       }
       return;
     }
@@ -165,38 +167,6 @@ final class Refiner {
     film.image.set(x, y, mean[0], mean[1], mean[2]);
     film.own[y * film.width + x] = (float) (variance / 3 + focus.unseen());
     return moved / 3;
-  }
-
-  /** Estimates what as much noise as there is around would be in this pixel. */
-  void listen(int x, int y) {
-    int pixel = y * film.width + x;
-    int n = film.samples(pixel);
-    double sum = 0;
-    for (int channel = 0; channel < 3; channel++) {
-      double mean = film.image.rgb()[3 * pixel + channel];
-      double spread = Math.sqrt(film.noiseAround(x, y, channel) / n);
-      sum += n * scale.squaredError(mean, spread);
-    }
-    film.noise[pixel] = (float) Math.max(sum / 3, (double) n * n * glare(x, y, n));
-  }
-
-  /**
-   * Returns by how much, on average and squared, in levels², the mean of n samples would change if
-   * a corner that is brighter than white were one more of them.
-   */
-  private double glare(int x, int y, int n) {
-    double sum = 0;
-    for (int i = 0; i < 4; i++) {
-      int at = 3 * ((y + (i >> 1)) * corners.stride + x + (i & 1));
-      for (int channel = 0; channel < 3; channel++) {
-        double bright = corners.rgb[at + channel];
-        if (bright > 1) {
-          double now = film.image.rgb()[3 * (y * film.width + x) + channel];
-          sum += scale.squaredDifference(now + (bright - now) / (n + 1), now);
-        }
-      }
-    }
-    return sum / 12;
   }
 
   private void keepMean(int slot) {

@@ -86,7 +86,7 @@ final class Sampling {
       int y = chosen[i] / film.width;
       film.compare(x, y);
       if (film.random[chosen[i]]) {
-        crew.workers().get(0).listen(x, y);
+        crew.workers().get(0).noise.listen(x, y);
       }
       model.note(chosen[i], moved[i]);
       isChosen[chosen[i]] = false;
