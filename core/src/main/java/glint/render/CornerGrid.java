@@ -104,6 +104,13 @@ final class CornerGrid {
             && Math.abs(image[2 * a + 1] - image[2 * b + 1]) <= LEAP);
   }
 
+  /** Returns whether the ends of a side of a pixel meet different things, as edges make them. */
+  boolean differ(int x, int y, int side) {
+    int a = y * stride + x + (side == 3 ? 1 : 0) + (side == 1 ? stride : 0);
+    int b = a + (side < 2 ? 1 : stride);
+    return signature[a] != signature[b];
+  }
+
   /** Returns the mean radiance at the corners of a pixel, in one channel. */
   double mean(int x, int y, int channel) {
     int a = 3 * (y * stride + x) + channel;

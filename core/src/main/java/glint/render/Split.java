@@ -11,6 +11,7 @@ final class Split {
 
   private final CornerGrid corners;
   private final Sides sides;
+  private final Arc arc;
 
   /** The two sides crossed, as numbers of {@link Sides}. */
   private final int[] crossed = new int[2];
@@ -30,18 +31,13 @@ final class Split {
 
   private final double[] second;
 
-  /** By how much a curved edge covers more than its chord, on the side of the upper left corner. */
-  private double bulge;
-
-  /** The uncertainty of that. */
-  private double doubt;
-
   /** Twice the signed area of the triangle of the edge and the upper left corner. */
   private double orientation;
 
   Split(CornerGrid corners, Sides sides) {
     this.corners = corners;
     this.sides = sides;
+    arc = new Arc(corners, sides, which, x, y);
     parts = new Parts(corners, sides);
     first = parts.first;
     second = parts.second;
@@ -56,8 +52,7 @@ final class Split {
     boolean once = cross(column, row);
     place(sides.middle(crossed[0]), sides.middle(crossed[1]));
     parts.fromSearch(column, row, which, x, y);
-    bend(column, row);
-    doubt += isInside(bulge) ? 0 : Math.abs(bulge);
+    arc.look(column, row, orientation);
     return once;
   }
 
@@ -65,7 +60,7 @@ final class Split {
   boolean cross(int column, int row) {
     int count = 0;
     for (int side = 0; side < 4; side++) {
-      if (isCrossed(column, row, side)) {
+      if (corners.differ(column, row, side)) {
         which[count] = side;
         crossed[count++] = sides.number(column, row, side);
       }
@@ -74,97 +69,24 @@ final class Split {
   }
 
   /**
-   * Finds how the edge curves from what it does in the two neighbours: like a circle, which covers
-   * L³κ/12 more than its chord of length L, if both turn the same way.
-   */
-  private void bend(int column, int row) {
-    double one = curvature(column, row, 0);
-    double two = curvature(column, row, 1);
-    double dx = x[1] - x[0];
-    double dy = y[1] - y[0];
-    double length = Math.sqrt(dx * dx + dy * dy);
-    double unit = length * length * length / 12;
-    double common = one * two > 0 ? Math.copySign(Math.min(Math.abs(one), Math.abs(two)), one) : 0;
-    bulge = unit * (orientation > 0 ? common : -common);
-    doubt = unit * Math.max(Math.abs(one - common), Math.abs(two - common)) / 2;
-  }
-
-  /** Returns by how much the edge turns to the left per length where it leaves the pixel, or 0. */
-  private double curvature(int column, int row, int end) {
-    int nextX = column + (which[end] == 3 ? 1 : 0) - (which[end] == 2 ? 1 : 0);
-    int nextY = row + (which[end] == 1 ? 1 : 0) - (which[end] == 0 ? 1 : 0);
-    if (nextX < 0 || nextY < 0 || nextX >= corners.stride - 1 || nextY >= corners.rows - 1) {
-      return 0;
-    }
-    int from = which[end] ^ 1; // the same side, seen from the neighbour
-    int other = -1;
-    for (int side = 0; side < 4; side++) {
-      if (side != from && isCrossed(nextX, nextY, side)) {
-        if (other >= 0) {
-          return 0;
-        }
-        other = side;
-      }
-    }
-    int number = other < 0 ? -1 : sides.number(nextX, nextY, other);
-    if (other < 0 || sides.steps[number] == Sides.MIXED) {
-      return 0;
-    }
-    double along = sides.middle(number);
-    double px = nextX - column + (other < 2 ? along : other - 2);
-    double py = nextY - row + (other < 2 ? other : along);
-    double dx = x[1] - x[0];
-    double dy = y[1] - y[0];
-    double ex = end == 1 ? px - x[1] : x[0] - px;
-    double ey = end == 1 ? py - y[1] : y[0] - py;
-    double d = Math.sqrt(dx * dx + dy * dy);
-    double e = Math.sqrt(ex * ex + ey * ey);
-    double turn = end == 1 ? dx * ey - dy * ex : ex * dy - ey * dx;
-    return d > 0 && e > 0 ? 2 * turn / (d * e * (d + e)) : 0;
-  }
-
-  private boolean isCrossed(int column, int row, int side) {
-    int a = row * corners.stride + column + (side == 3 ? 1 : 0);
-    a += side == 1 ? corners.stride : 0;
-    int b = a + (side < 2 ? 1 : corners.stride);
-    return corners.signature[a] != corners.signature[b];
-  }
-
-  /**
    * Divides a pixel by an arc, in two plain colours that no better knowledge changes.
    *
-   * @param arc its bulge, which is left out, and doubtful, if it is not surely in the pixel
+   * @param bulge of the arc, which is left out, and doubtful, if it is not surely in the pixel
    */
-  void freeze(int column, int row, double one, double two, double arc) {
+  void freeze(int column, int row, double one, double two, double bulge) {
     cross(column, row);
     place(one, two);
-    bulge = isInside(arc) ? arc : 0;
-    doubt = Math.abs(arc - bulge);
+    arc.freeze(bulge, orientation);
     parts.fromCorners(column, row);
   }
 
-  /** Returns the {@link #bulge}. */
+  /** Returns by how much the edge covers more than a straight one, as {@link #freeze} takes it. */
   double bulge() {
-    return bulge;
+    return arc.bulge();
   }
 
-  /**
-   * Returns whether the parabola that covers so much more than its chord surely stays in the pixel:
-   * it does if its control point is in it, which is twice as far from the chord.
-   */
-  private boolean isInside(double arc) {
-    double dx = x[1] - x[0];
-    double dy = y[1] - y[0];
-    double away = 3 * (orientation > 0 ? -arc : arc) / (dx * dx + dy * dy);
-    double controlX = 0.5 * (x[0] + x[1]) - away * dy;
-    double controlY = 0.5 * (y[0] + y[1]) + away * dx;
-    return controlX >= 0 && controlX <= 1 && controlY >= 0 && controlY <= 1;
-  }
-
-  /** Has a straight edge cross the two sides elsewhere: 0 to 1 along them. */
+  /** Has the edge cross the two sides elsewhere: 0 to 1 along them. */
   private void place(double one, double two) {
-    bulge = 0;
-    doubt = 0;
     place(0, one);
     place(1, two);
     orientation = side(0, 0);
@@ -206,23 +128,14 @@ final class Split {
 
   /** Returns the mean of a channel over the pixel. */
   double mean(int channel) {
-    double share = Math.min(Math.max(area() + bulge, 0), 1);
+    double share = Math.min(Math.max(area() + arc.bulge(), 0), 1);
     return share * first[channel] + (1 - share) * second[channel];
   }
 
   /** Returns the radiance of a channel at a place in the pixel. */
   double at(int channel, double u, double v) {
-    boolean near = (side(u, v) < arc(u, v)) == (orientation < 0);
+    boolean near = (side(u, v) < arc.beside(u, v)) == (orientation < 0);
     return near ? first[channel] : second[channel];
-  }
-
-  /** Returns how far to the side the arc lies beside a place, as a parabola of the same bulge. */
-  private double arc(double u, double v) {
-    double dx = x[1] - x[0];
-    double dy = y[1] - y[0];
-    double along = ((u - x[0]) * dx + (v - y[0]) * dy) / (dx * dx + dy * dy);
-    double height = along > 0 && along < 1 ? 6 * bulge * along * (1 - along) : 0;
-    return orientation > 0 ? -height : height;
   }
 
   /**
@@ -234,7 +147,7 @@ final class Split {
     double dy = y[1] - y[0];
     double length = Math.sqrt(dx * dx + dy * dy);
     double bracket = Math.max(sides.length(crossed[0]), sides.length(crossed[1]));
-    double sag = 1.5 * (Math.abs(bulge) + doubt);
+    double sag = 1.5 * (Math.abs(arc.bulge()) + arc.doubt());
     double middle = side(0.5, 0.5);
     boolean near = Math.abs(middle) <= length * (bracket + NEAR) + sag;
     return near || (middle < 0) == (orientation < 0) == middleAsCorner;
@@ -269,7 +182,7 @@ final class Split {
 
   /** Returns the variance of the mean, in levels², by what is not known of how the edge curves. */
   double doubt(LevelScale scale) {
-    return inLevels(scale, doubt);
+    return inLevels(scale, arc.doubt());
   }
 
   private double inLevels(LevelScale scale, double error) {
