@@ -34,9 +34,6 @@ final class SmallThings {
    */
   private static final double THIN = 1;
 
-  /** What lies nearer to the eye than this share of the whole is cut off. */
-  private static final double NEAR = 0x1p-20;
-
   /** Less of a pixel is nothing. */
   private static final double LEAST_AREA = 1e-6;
 
@@ -48,13 +45,12 @@ final class SmallThings {
   private final CornerGrid corners;
   private final int width;
   private final int height;
-  private final double[] point = new double[3];
-  private final ConvexPolygon whole = new ConvexPolygon();
+  private final Silhouette silhouette;
+  private final ConvexPolygon whole;
   private final ConvexPolygon inImage = new ConvexPolygon();
   private final ConvexPolygon band = new ConvexPolygon();
   private final double[] above = new double[2];
   private final double[] below = new double[2];
-  private final double[] places = new double[3 * 32];
 
   /** By pixel, what may be seen there. */
   private final Map<Integer, List<Glimpse>> glimpses = new TreeMap<>();
@@ -65,6 +61,8 @@ final class SmallThings {
     this.scene = scene;
     this.view = view;
     this.corners = corners;
+    silhouette = new Silhouette(view);
+    whole = silhouette.whole;
     width = corners.stride - 1;
     height = corners.rows - 1;
   }
@@ -94,7 +92,7 @@ final class SmallThings {
   private void convex(Surface shape, Transform toWorld, int surface) {
     List<Vector3d> outline = Outline.of(shape, toWorld, view.eye());
     if (!outline.isEmpty()) {
-      project(outline);
+      silhouette.project(outline);
       look(surface, false);
     }
   }
@@ -106,6 +104,7 @@ final class SmallThings {
     }
     double[] m = p.toWorld().rows();
     double[] nine = new double[9];
+    double[] places = new double[9];
     for (int i = 0; i < mesh.triangles(); i++) {
       mesh.corners(i, nine);
       for (int j = 0; j < 9; j += 3) {
@@ -116,56 +115,12 @@ final class SmallThings {
         places[j + 1] = m[4] * x + m[5] * y + m[6] * z + m[7];
         places[j + 2] = m[8] * x + m[9] * y + m[10] * z + m[11];
       }
-      project(3);
+      silhouette.project(places);
       look(p.materials().size() > 1 ? first + mesh.part(i) : first, true);
     }
   }
 
-  private void project(List<Vector3d> points) {
-    int count = 0;
-    for (Vector3d p : points) {
-      places[count++] = p.x();
-      places[count++] = p.y();
-      places[count++] = p.z();
-    }
-    project(points.size());
-  }
-
-  /** Projects the convex hull of some of {@link #places} to {@link #whole}. */
-  private void project(int count) {
-    double nearest = Double.POSITIVE_INFINITY;
-    double farthest = 0;
-    for (int i = 0; i < 3 * count; i += 3) {
-      double depth = view.depth(places[i], places[i + 1], places[i + 2]);
-      nearest = Math.min(nearest, depth);
-      farthest = Math.max(farthest, depth);
-    }
-    double least = NEAR * farthest;
-    whole.clear();
-    for (int i = 0; i < 3 * count; i += 3) {
-      double depth = view.depth(places[i], places[i + 1], places[i + 2]);
-      if (depth >= least) {
-        add(places[i], places[i + 1], places[i + 2]);
-      }
-      for (int j = 0; depth < least && j < 3 * count; j += 3) {
-        double other = view.depth(places[j], places[j + 1], places[j + 2]);
-        if (other > least) {
-          double s = (least - depth) / (other - depth);
-          add(
-              places[i] + s * (places[j] - places[i]),
-              places[i + 1] + s * (places[j + 1] - places[i + 1]),
-              places[i + 2] + s * (places[j + 2] - places[i + 2]));
-        }
-      }
-    }
-  }
-
-  private void add(double x, double y, double z) {
-    view.project(x, y, z, point);
-    whole.add(point[0], point[1]);
-  }
-
-  /** Notes the pixels that may show too little of a surface whose outline is {@link #whole}. */
+  /** Notes the pixels that may show too little of a surface whose outline was found. */
   private void look(int surface, boolean ofMesh) {
     if (ofMesh && isPlain(surface)) {
       return;
