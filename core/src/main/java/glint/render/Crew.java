@@ -25,6 +25,9 @@ final class Crew<W> implements AutoCloseable {
     void run(W worker, int number);
   }
 
+  /** Small tasks that a thread does in one go. */
+  private static final int BATCH = 64;
+
   private final List<W> workers;
   private final BooleanSupplier cancelled;
   private final ExecutorService pool;
@@ -62,6 +65,17 @@ final class Crew<W> implements AutoCloseable {
     if (cancelled.getAsBoolean()) {
       throw new CancellationException("rendering was cancelled");
     }
+  }
+
+  /** Does tasks that are many and small, like {@link #run}. */
+  void runInBatches(int tasks, Task<W> task) throws InterruptedException {
+    run(
+        (tasks + BATCH - 1) / BATCH,
+        (worker, batch) -> {
+          for (int i = BATCH * batch; i < Math.min(tasks, BATCH * (batch + 1)); i++) {
+            task.run(worker, i);
+          }
+        });
   }
 
   private void work(W worker, AtomicInteger next, int tasks, Task<W> task) {

@@ -1,13 +1,10 @@
 package glint.render;
 
-import java.util.List;
-import java.util.Map;
-
 /**
  * Refines an image until its estimated error is as small as was asked for.
  *
- * <p>First a ray through every pixel's corner. Then rounds: what all pixels know now decides what
- * is done next, so that neither threads nor tiles matter.
+ * <p>After a {@link FirstLook} it goes in rounds: what all pixels know now decides what is done
+ * next, so that neither threads nor tiles matter.
  */
 final class Rounds {
 
@@ -23,21 +20,15 @@ final class Rounds {
   /** By how much a round brings the error down at most where the time is limited. */
   private static final double SHORT_ROUND = 0.7;
 
-  /** Sides that a thread works on in one go. */
-  private static final int BATCH = 64;
-
   private final Film film;
-  private final CornerGrid corners;
+  private final FirstLook firstLook;
   private final Sides sides;
-  private final LevelScale scale;
   private final ErrorModel model;
   private final Allocation allocation;
   private final Sampling sampling;
   private final Audit audit;
   private final Crew<Refiner> crew;
-  private final Tiles tiles;
   private final TileCount done;
-  private final SmallThings small;
 
   Rounds(
       SmallThings small,
@@ -48,17 +39,15 @@ final class Rounds {
       LevelScale scale,
       Crew<Refiner> crew,
       Progress progress) {
-    this.small = small;
     this.film = film;
-    this.corners = corners;
     this.sides = sides;
-    this.scale = scale;
     this.crew = crew;
     Hidden hidden = new Hidden(film);
     model = new ErrorModel(film, hidden);
     allocation = new Allocation(film, model, hidden);
-    tiles = new Tiles(settings);
+    Tiles tiles = new Tiles(settings);
     done = new TileCount(progress, tiles);
+    firstLook = new FirstLook(small, film, corners, scale, crew, tiles, done);
     sampling = new Sampling(film, model, crew, done);
     audit = new Audit(film, model, hidden, scale, sampling, settings.seed());
   }
@@ -71,7 +60,7 @@ final class Rounds {
    * @return the estimate of the sampling error, in levels
    */
   double run(double levels, long deadline) throws InterruptedException {
-    begin();
+    firstLook.run();
     sampleBusy();
     int audits = 0;
     boolean audited = false;
@@ -117,53 +106,6 @@ final class Rounds {
     return ErrorModel.CALIBRATION * Math.sqrt(model.variance(pixel));
   }
 
-  private void begin() throws InterruptedException {
-    new CornerPass(film, corners, scale, tiles, done).run(crew);
-    crew.run(film.height, (refiner, y) -> refiner.survey.classify(y));
-    aim();
-    do {
-      crew.run(film.height, (refiner, y) -> refiner.survey.count(y));
-    } while (check());
-  }
-
-  /** Looks for things that are too small or thin for the rays through corners. */
-  private void aim() throws InterruptedException {
-    Map<Integer, List<SmallThings.Glimpse>> glimpses = small.find();
-    List<Integer> pixels = List.copyOf(glimpses.keySet());
-    Focus[] seen = new Focus[pixels.size()];
-    inBatches(
-        seen.length,
-        (refiner, i) -> {
-          int pixel = pixels.get(i);
-          seen[i] = refiner.aim.look(pixel % film.width, pixel / film.width, glimpses.get(pixel));
-        });
-    for (int i = 0; i < seen.length; i++) {
-      if (seen[i] != null) {
-        film.aim(pixels.get(i), seen[i]);
-      }
-    }
-  }
-
-  /** Looks into the middle of pixels at edges; returns whether that has found anything. */
-  private boolean check() throws InterruptedException {
-    boolean[] surprising = new boolean[film.kind.length];
-    crew.run(
-        tiles.count(),
-        (refiner, i) -> {
-          done.begin(i);
-          tiles.forEach(
-              i, (x, y) -> surprising[y * film.width + x] = refiner.survey.surprises(x, y));
-        });
-    boolean any = false;
-    for (int pixel = 0; pixel < surprising.length; pixel++) {
-      if (surprising[pixel]) {
-        film.kind[pixel] = Film.BUSY;
-        any = true;
-      }
-    }
-    return any;
-  }
-
   /**
    * Samples pixels of which nothing is known: what their corners show may be all alike by chance.
    */
@@ -189,7 +131,7 @@ final class Rounds {
    */
   private void estimate(boolean corners) throws InterruptedException {
     int[] active = allocation.active();
-    inBatches(
+    crew.runInBatches(
         active.length,
         (refiner, i) -> {
           int pixel = active[i];
@@ -220,7 +162,7 @@ final class Rounds {
     int[] wanted = sides.wanted();
     boolean worked = wanted.length > 0 || sampling.hasChosen();
     sampling.run();
-    inBatches(wanted.length, (refiner, i) -> sides.divide(refiner.probe, wanted[i]));
+    crew.runInBatches(wanted.length, (refiner, i) -> sides.divide(refiner.probe, wanted[i]));
     for (int side : wanted) {
       int x = sides.column(side);
       int y = sides.row(side);
@@ -241,16 +183,5 @@ final class Rounds {
     if (any) {
       allocation.wake();
     }
-  }
-
-  /** Does tasks that are many and small. */
-  private void inBatches(int tasks, Crew.Task<Refiner> task) throws InterruptedException {
-    crew.run(
-        (tasks + BATCH - 1) / BATCH,
-        (refiner, batch) -> {
-          for (int i = BATCH * batch; i < Math.min(tasks, BATCH * (batch + 1)); i++) {
-            task.run(refiner, i);
-          }
-        });
   }
 }
