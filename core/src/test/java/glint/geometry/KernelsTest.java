@@ -58,7 +58,7 @@ class KernelsTest {
       hit.setNormal(x, y, z);
       Vector3d n = v(hit.nx, hit.ny, hit.nz);
       assertEquals(1, n.length(), 0x1p-51);
-      for (int e : new int[] {-600, -401, -390, 1, 380, 401, 900}) {
+      for (int e : new int[] {-600, -525, -515, -401, -390, 1, 380, 401, 900}) {
         hit.setNormal(Math.scalb(x, e), Math.scalb(y, e), Math.scalb(z, e));
         assertEquals(n, v(hit.nx, hit.ny, hit.nz));
       }
