@@ -40,6 +40,7 @@ rays() {
 exec 3>&2
 for commit in "$head" "$base"; do
     checkout "$commit"
+    rm -rf "$work/$commit/out" # of another file
     render "$commit" >/dev/null # builds; not counted
 done
 same=identical
