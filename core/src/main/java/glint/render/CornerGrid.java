@@ -118,6 +118,14 @@ final class CornerGrid {
     return 0.25 * (rgb[a] + rgb[a + 3] + rgb[c] + rgb[c + 3]);
   }
 
+  /** Returns how many sides of a pixel have ends that meet something different. */
+  int crossings(int x, int y) {
+    int crossings = differ(x, y, 0) ? 1 : 0;
+    crossings += differ(x, y, 1) ? 1 : 0;
+    crossings += differ(x, y, 2) ? 1 : 0;
+    return crossings + (differ(x, y, 3) ? 1 : 0);
+  }
+
   /** Returns whether one ray does not tell all at a corner of a pixel. */
   boolean isRandom(int x, int y) {
     int a = y * stride + x;

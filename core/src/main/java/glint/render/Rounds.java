@@ -21,6 +21,7 @@ final class Rounds {
   private static final double SHORT_ROUND = 0.7;
 
   private final Film film;
+  private final CornerGrid corners;
   private final FirstLook firstLook;
   private final Sides sides;
   private final ErrorModel model;
@@ -40,6 +41,7 @@ final class Rounds {
       Crew<Refiner> crew,
       Progress progress) {
     this.film = film;
+    this.corners = corners;
     this.sides = sides;
     this.crew = crew;
     Hidden hidden = new Hidden(film);
@@ -108,15 +110,23 @@ final class Rounds {
 
   /**
    * Samples pixels of which nothing is known: what their corners show may be all alike by chance.
+   * Of those with several edges, corners tell what colours there are.
    */
   private void sampleBusy() throws InterruptedException {
     for (int pixel = 0; pixel < film.kind.length; pixel++) {
-      boolean known = film.focus.containsKey(pixel) && !film.random[pixel];
+      int x = pixel % film.width;
+      int y = pixel / film.width;
+      boolean told = film.focus.containsKey(pixel) || tellsColours(x, y);
+      boolean known = told && !film.random[pixel];
       if (film.kind[pixel] == Film.BUSY && !known) {
         sampling.choose(pixel);
       }
     }
     sampling.run();
+  }
+
+  private boolean tellsColours(int x, int y) {
+    return corners.crossings(x, y) > 2 && !corners.leapsOverDetail(x, y);
   }
 
   /** Estimates all pixels but those just sampled. */

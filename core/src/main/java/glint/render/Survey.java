@@ -34,14 +34,7 @@ final class Survey {
   }
 
   private void classify(int x, int y) {
-    long[] met = corners.signature;
-    int a = y * corners.stride + x;
-    int c = a + corners.stride;
-    int crossings = 0;
-    crossings += met[a] != met[a + 1] ? 1 : 0;
-    crossings += met[c] != met[c + 1] ? 1 : 0;
-    crossings += met[a] != met[c] ? 1 : 0;
-    crossings += met[a + 1] != met[c + 1] ? 1 : 0;
+    int crossings = corners.crossings(x, y);
     int pixel = y * film.width + x;
     film.kind[pixel] = crossings == 0 ? Film.SMOOTH : crossings == 2 ? Film.SPLIT : Film.BUSY;
     // Of an image that shows no contrast, audits tell whether there is none.
