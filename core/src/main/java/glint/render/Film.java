@@ -146,6 +146,15 @@ final class Film {
     stale[y < height - 1 ? pixel + width : pixel] = true;
   }
 
+  /** Notes that more is known of a pixel: of what is around those of random samples beside it. */
+  void outdateAround(int x, int y) {
+    for (int row = Math.max(0, y - 1); row <= Math.min(height - 1, y + 1); row++) {
+      for (int column = Math.max(0, x - 1); column <= Math.min(width - 1, x + 1); column++) {
+        stale[row * width + column] |= random[row * width + column];
+      }
+    }
+  }
+
   /** Forgets the samples of a pixel. */
   void forget(int pixel) {
     level[pixel] = 0;

@@ -148,9 +148,8 @@ final class Rounds {
           int x = pixel % film.width;
           int y = pixel / film.width;
           boolean edge = film.kind[pixel] == Film.SPLIT;
-          boolean news =
-              edge && (film.stale[pixel] || (corners && refiner.mayRunAlongCorners(x, y)));
-          if (film.kind[pixel] == Film.BUSY || news) {
+          boolean news = film.stale[pixel] && film.kind[pixel] != Film.SMOOTH;
+          if (news || (edge && corners && refiner.mayRunAlongCorners(x, y))) {
             film.stale[pixel] = false;
             refiner.estimate(x, y);
           }

@@ -85,6 +85,7 @@ final class Sampling {
       int x = chosen[i] % film.width;
       int y = chosen[i] / film.width;
       film.compare(x, y);
+      film.outdateAround(x, y);
       if (film.random[chosen[i]]) {
         crew.workers().get(0).noise.listen(x, y);
       }
