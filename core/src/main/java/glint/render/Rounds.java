@@ -114,19 +114,18 @@ final class Rounds {
    */
   private void sampleBusy() throws InterruptedException {
     for (int pixel = 0; pixel < film.kind.length; pixel++) {
-      int x = pixel % film.width;
-      int y = pixel / film.width;
-      boolean told = film.focus.containsKey(pixel) || tellsColours(x, y);
-      boolean known = told && !film.random[pixel];
-      if (film.kind[pixel] == Film.BUSY && !known) {
+      if (film.kind[pixel] == Film.BUSY && (film.random[pixel] || !isKnown(pixel))) {
         sampling.choose(pixel);
       }
     }
     sampling.run();
   }
 
-  private boolean tellsColours(int x, int y) {
-    return corners.crossings(x, y) > 2 && !corners.leapsOverDetail(x, y);
+  private boolean isKnown(int pixel) {
+    int x = pixel % film.width;
+    int y = pixel / film.width;
+    boolean tellsColours = corners.crossings(x, y) > 2 && !corners.leapsOverDetail(x, y);
+    return tellsColours || film.focus.containsKey(pixel);
   }
 
   /** Estimates all pixels but those just sampled. */
