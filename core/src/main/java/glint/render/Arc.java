@@ -7,7 +7,7 @@ package glint.render;
 final class Arc {
 
   private final CornerGrid corners;
-  private final Sides sides;
+  private final Brackets brackets;
 
   /** Which side of the pixel is crossed at either end: 0 top, 1 bottom, 2 left, 3 right. */
   private final int[] which;
@@ -29,9 +29,9 @@ final class Arc {
    * @param which the two sides of the pixel that the chord ends at, as in {@link Sides#number}
    * @param x where it does, in the pixel
    */
-  Arc(CornerGrid corners, Sides sides, int[] which, double[] x, double[] y) {
+  Arc(CornerGrid corners, Brackets brackets, int[] which, double[] x, double[] y) {
     this.corners = corners;
-    this.sides = sides;
+    this.brackets = brackets;
     this.which = which;
     this.x = x;
     this.y = y;
@@ -97,11 +97,11 @@ final class Arc {
         other = side;
       }
     }
-    int number = other < 0 ? -1 : sides.number(nextX, nextY, other);
-    if (other < 0 || sides.steps[number] == Sides.MIXED) {
+    int number = other < 0 ? -1 : brackets.sides.number(nextX, nextY, other);
+    if (other < 0 || brackets.steps(number) == Brackets.MIXED) {
       return 0;
     }
-    double along = sides.middle(number);
+    double along = brackets.middle(number);
     double px = nextX - column + (other < 2 ? along : other - 2);
     double py = nextY - row + (other < 2 ? other : along);
     return turn(end, px, py);

@@ -27,7 +27,9 @@ final class Audit {
   private final LevelScale scale;
   private final Sampling sampling;
   private final long seed;
-  private final double rarer;
+  private final OneIn split;
+  private final OneIn beside;
+  private final OneIn alone;
 
   Audit(
       Film film, ErrorModel model, Hidden hidden, LevelScale scale, Sampling sampling, long seed) {
@@ -37,7 +39,13 @@ final class Audit {
     this.scale = scale;
     this.sampling = sampling;
     this.seed = SobolSampler.mix(seed);
-    rarer = Math.sqrt(film.kind.length / USUAL);
+    split = rarer(SPLIT);
+    beside = rarer(BESIDE);
+    alone = rarer(ALONE);
+  }
+
+  private OneIn rarer(int usual) {
+    return new OneIn(Math.max(1, (int) (Math.sqrt(film.kind.length / USUAL) * usual)));
   }
 
   /** Audits; another number chooses other pixels. */
@@ -76,9 +84,8 @@ final class Audit {
   }
 
   private boolean isChosen(int pixel, int number) {
-    int beside = film.surroundings[pixel] > 0 ? BESIDE : ALONE;
-    int every = Math.max(1, (int) (rarer * (film.kind[pixel] == Film.SPLIT ? SPLIT : beside)));
-    long hash = SobolSampler.mix(seed ^ ((long) number << 32 | pixel));
-    return Long.remainderUnsigned(hash, every) == 0;
+    OneIn smooth = film.surroundings[pixel] > 0 ? beside : alone;
+    OneIn some = film.kind[pixel] == Film.SPLIT ? split : smooth;
+    return some.takes(SobolSampler.mix(seed ^ ((long) number << 32 | pixel)));
   }
 }

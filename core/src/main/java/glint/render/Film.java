@@ -2,8 +2,6 @@ package glint.render;
 
 import glint.image.Image;
 import java.util.Arrays;
-import java.util.HashMap;
-import java.util.Map;
 import java.util.function.IntConsumer;
 
 /** What is known of every pixel while an image is refined: flat arrays in row order. */
@@ -18,8 +16,11 @@ final class Film {
   /** Anything else: nothing is taken for known. */
   static final byte BUSY = 2;
 
-  /** Doubles of a sampled pixel: sum, sum of squares and mean of the model, by channel. */
-  static final int SLOT = 9;
+  /**
+   * Doubles of a sampled pixel, by channel: sum, sum of squares, mean of the model and variance of
+   * a single sample.
+   */
+  static final int SLOT = 12;
 
   /** A variance of what samples find, in levels², that is much. */
   private static final double FOUND = 4;
@@ -59,8 +60,8 @@ final class Film {
   /** The variance of the surroundings, in levels². */
   final float[] contrast;
 
-  /** The parts of pixels that are sampled by themselves, by pixel. */
-  final Map<Integer, Focus> focus = new HashMap<>();
+  /** The parts of busy pixels that are sampled by themselves, or null. */
+  final Focus[] focus;
 
   /** What single samples around find, or bright corners show: as much would here be, in levels². */
   final float[] noise;
@@ -111,6 +112,7 @@ final class Film {
     contrast = new float[count];
     noise = new float[count];
     stale = new boolean[count];
+    focus = new Focus[count];
     slot = new int[count];
     Arrays.fill(slot, -1);
   }
@@ -147,7 +149,9 @@ final class Film {
   }
 
   /** Notes that more is known of a pixel: of what is around those of random samples beside it. */
-  void outdateAround(int x, int y) {
+  void outdateAround(int pixel) {
+    int x = pixel % width;
+    int y = pixel / width;
     for (int row = Math.max(0, y - 1); row <= Math.min(height - 1, y + 1); row++) {
       for (int column = Math.max(0, x - 1); column <= Math.min(width - 1, x + 1); column++) {
         stale[row * width + column] |= random[row * width + column];
@@ -171,7 +175,7 @@ final class Film {
       contrast[pixel] = Math.max(contrast[pixel], (float) seen.unseen());
     } else {
       contrast[pixel] = random[pixel] ? contrast[pixel] : 0;
-      focus.put(pixel, seen);
+      focus[pixel] = seen;
     }
   }
 
@@ -184,11 +188,12 @@ final class Film {
    * Takes the contrast around a busy pixel to be at least what the samples of its busy neighbours
    * have found: those of its own may be all alike by chance.
    */
-  void compare(int x, int y) {
-    int pixel = y * width + x;
-    if (kind[pixel] != BUSY || (focus.containsKey(pixel) && !random[pixel])) {
+  void compare(int pixel) {
+    if (kind[pixel] != BUSY || (focus[pixel] != null && !random[pixel])) {
       return;
     }
+    int x = pixel % width;
+    int y = pixel / width;
     double sum = 0;
     int count = 0;
     for (int row = Math.max(0, y - 1); row <= Math.min(height - 1, y + 1); row++) {

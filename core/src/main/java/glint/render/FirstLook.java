@@ -39,9 +39,8 @@ final class FirstLook {
     new CornerPass(film, corners, scale, tiles, done).run(crew);
     crew.run(film.height, (refiner, y) -> refiner.survey.classify(y));
     aim();
-    do {
-      crew.run(film.height, (refiner, y) -> refiner.survey.count(y));
-    } while (check());
+    crew.run(film.height, (refiner, y) -> refiner.survey.count(y, 0, film.width));
+    check();
   }
 
   /** Looks for things that are too small or thin for the rays through corners. */
@@ -62,23 +61,44 @@ final class FirstLook {
     }
   }
 
-  /** Looks into the middle of pixels at edges; returns whether that has found anything. */
-  private boolean check() throws InterruptedException {
-    boolean[] surprising = new boolean[film.kind.length];
+  /** Looks into the middle of pixels at edges, and around those where that has found anything. */
+  private void check() throws InterruptedException {
+    Selection found = new Selection();
     crew.run(
         tiles.count(),
         (refiner, i) -> {
           done.begin(i);
-          tiles.forEach(
-              i, (x, y) -> surprising[y * film.width + x] = refiner.survey.surprises(x, y));
+          tiles.forEach(i, (x, y) -> check(refiner, y * film.width + x, found));
         });
-    boolean any = false;
-    for (int pixel = 0; pixel < surprising.length; pixel++) {
-      if (surprising[pixel]) {
-        film.kind[pixel] = Film.BUSY;
-        any = true;
+    while (!found.isEmpty()) {
+      int[] due = around(found.take());
+      crew.runInBatches(due.length, (refiner, i) -> check(refiner, due[i], found));
+    }
+  }
+
+  private static void check(Refiner refiner, int pixel, Selection found) {
+    if (refiner.survey.surprises(pixel)) {
+      synchronized (found) {
+        found.add(pixel);
       }
     }
-    return any;
+  }
+
+  /** Counts anew the edges around pixels that are not what they were; returns those pixels. */
+  private int[] around(int[] pixels) {
+    Selection around = new Selection();
+    for (int pixel : pixels) {
+      int x = pixel % film.width;
+      int y = pixel / film.width;
+      int left = Math.max(0, x - 1);
+      int end = Math.min(film.width, x + 2);
+      for (int row = Math.max(0, y - 1); row <= Math.min(film.height - 1, y + 1); row++) {
+        crew.workers().get(0).survey.count(row, left, end);
+        for (int column = left; column < end; column++) {
+          around.add(row * film.width + column);
+        }
+      }
+    }
+    return around.take();
   }
 }

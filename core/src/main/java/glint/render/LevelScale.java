@@ -26,6 +26,9 @@ final class LevelScale {
 
   private final double[] levels = new double[STEPS + 2];
 
+  /** How steep the curve is between a step and the next. */
+  private final double[] slopes = new double[STEPS + 1];
+
   /** Returns the table of a curve. */
   static LevelScale of(Transfer transfer) {
     return SCALES.get(transfer);
@@ -35,6 +38,9 @@ final class LevelScale {
     for (int i = 0; i < levels.length; i++) {
       double root = (double) i / STEPS;
       levels[i] = transfer.level(root * root);
+    }
+    for (int i = 0; i < slopes.length; i++) {
+      slopes[i] = (levels[i + 1] - levels[i]) / ((2.0 * i + 1) / STEPS / STEPS);
     }
   }
 
@@ -57,21 +63,16 @@ final class LevelScale {
       return 0;
     }
     int i = Math.max(1, (int) (STEPS * Math.sqrt(Math.max(linear, 0))));
-    return more * slope(i - 1);
+    return more * slopes[i - 1];
   }
 
   /** Returns the square, in levels², of an error of a linear value, half to either side of it. */
   double squaredError(double linear, double error) {
     double half =
         Math.abs(error) < SMALL * linear && linear < 1 - SMALL
-            ? error * slope((int) (STEPS * Math.sqrt(linear)))
+            ? error * slopes[(int) (STEPS * Math.sqrt(linear))]
             : 0.5 * (level(linear + error) - level(linear - error));
     return half * half;
-  }
-
-  /** Returns how steep the curve is between a step and the next. */
-  private double slope(int step) {
-    return (levels[step + 1] - levels[step]) / ((2.0 * step + 1) / STEPS / STEPS);
   }
 
   /** Returns the square of the difference of two linear values, in levels². */

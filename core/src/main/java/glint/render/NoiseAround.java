@@ -1,11 +1,16 @@
 package glint.render;
 
+import java.util.Arrays;
+
 /** Estimates what as much noise as there is around a pixel of random samples would be in it. */
 final class NoiseAround {
 
   private final Film film;
   private final CornerGrid corners;
   private final LevelScale scale;
+
+  /** By channel, of single samples around. */
+  private final double[] variance = new double[3];
 
   NoiseAround(Film film, CornerGrid corners, LevelScale scale) {
     this.film = film;
@@ -17,34 +22,36 @@ final class NoiseAround {
   void listen(int x, int y) {
     int pixel = y * film.width + x;
     int n = film.samples(pixel);
+    findVariance(x, y);
     double sum = 0;
     for (int channel = 0; channel < 3; channel++) {
       double mean = film.image.rgb()[3 * pixel + channel];
-      double spread = Math.sqrt(variance(x, y, channel) / n);
-      sum += n * scale.squaredError(mean, spread);
+      sum += n * scale.squaredError(mean, Math.sqrt(variance[channel] / n));
     }
     film.noise[pixel] = (float) Math.max(sum / 3, (double) n * n * glare(x, y, n));
   }
 
-  /** Returns the mean variance, linear, of single samples of the sampled pixels around one. */
-  private double variance(int x, int y, int channel) {
-    double sum = 0;
+  /** Finds the mean variance, linear, of single samples of the sampled pixels around one. */
+  private void findVariance(int x, int y) {
+    Arrays.fill(variance, 0);
     int count = 0;
     for (int row = Math.max(0, y - 1); row <= Math.min(film.height - 1, y + 1); row++) {
       int end = Math.min(film.width - 1, x + 1);
       for (int column = Math.max(0, x - 1); column <= end; column++) {
         int other = row * film.width + column;
         boolean here = row == y && column == x;
-        if (!here && film.level[other] > 0 && !film.focus.containsKey(other)) {
-          int at = Film.SLOT * film.slot[other] + channel;
-          int n = Math.max(2, film.valid[film.slot[other]]);
-          double once = film.sums[at];
-          sum += Math.max(0, film.sums[at + 3] - once * once / n) / (n - 1);
+        if (!here && film.level[other] > 0 && film.focus[other] == null) {
+          int at = Film.SLOT * film.slot[other] + 9;
+          variance[0] += film.sums[at];
+          variance[1] += film.sums[at + 1];
+          variance[2] += film.sums[at + 2];
           count++;
         }
       }
     }
-    return count == 0 ? 0 : sum / count;
+    for (int channel = 0; count > 0 && channel < 3; channel++) {
+      variance[channel] /= count;
+    }
   }
 
   /**

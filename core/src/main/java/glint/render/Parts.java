@@ -16,29 +16,36 @@ final class Parts {
   /** Less of a pixel has no colour of its own. */
   private static final double LEAST_AREA = 1e-9;
 
+  /** A place in the pixel and the radiance there. */
+  private static final int POINT = 5;
+
   private final CornerGrid corners;
-  private final Sides sides;
+  private final Brackets brackets;
 
   /** The corners of the pixel at hand, clockwise. */
   private final int[] corner = new int[4];
 
-  /** Of either part: the first and the last point of its outline, a colour beside each. */
-  private final double[][] start = new double[2][5];
+  /** The part that each belongs to. */
+  private final int[] part = new int[4];
 
-  private final double[][] last = new double[2][5];
-  private final int[] points = new int[2];
+  /** The points of both outlines, clockwise: every corner, and either side of each crossing. */
+  private final double[] points = new double[8 * POINT];
+
+  /** Of either part: the first and the last point of its outline, or -1. */
+  private final int[] start = new int[2];
+
+  private final int[] last = new int[2];
   private final double[] area = new double[2];
   private final double[][] sum = new double[2][3];
-  private final double[] point = new double[5];
 
   /** The colour on the side of the upper left corner, and that on the other. */
   final double[] first = new double[3];
 
   final double[] second = new double[3];
 
-  Parts(CornerGrid corners, Sides sides) {
+  Parts(CornerGrid corners, Brackets brackets) {
     this.corners = corners;
-    this.sides = sides;
+    this.brackets = brackets;
   }
 
   /** Takes each part for as bright all over as its corners are. */
@@ -57,25 +64,23 @@ final class Parts {
    */
   void fromSearch(int column, int row, int[] which, double[] x, double[] y) {
     turn(column, row);
-    Arrays.fill(points, 0);
+    Arrays.fill(start, -1);
     Arrays.fill(area, 0);
     Arrays.fill(sum[0], 0);
     Arrays.fill(sum[1], 0);
+    int at = 0;
     for (int i = 0; i < 4; i++) {
-      point[0] = X[i];
-      point[1] = Y[i];
-      System.arraycopy(corners.rgb, 3 * corner[i], point, 2, 3);
-      add(part(i));
+      System.arraycopy(corners.rgb, 3 * corner[i], points, at + 2, 3);
+      at = add(part[i], at, X[i], Y[i]);
       int crossing = which[0] == SIDE[i] ? 0 : which[1] == SIDE[i] ? 1 : -1;
       if (crossing >= 0) {
-        point[0] = x[crossing];
-        point[1] = y[crossing];
-        int side = sides.number(column, row, SIDE[i]);
+        int next = (i + 1) % 4;
+        int side = brackets.sides.number(column, row, SIDE[i]);
         boolean forward = i < 2;
-        sides.beside(side, !forward, point);
-        add(part(i));
-        sides.beside(side, forward, point);
-        add(part((i + 1) % 4));
+        brackets.beside(side, !forward, corner[i], points, at + 2);
+        at = add(part[i], at, x[crossing], y[crossing]);
+        brackets.beside(side, forward, corner[next], points, at + 2);
+        at = add(part[next], at, x[crossing], y[crossing]);
       }
     }
     finish(first, 0);
@@ -87,27 +92,35 @@ final class Parts {
     corner[1] = corner[0] + 1;
     corner[2] = corner[1] + corners.stride;
     corner[3] = corner[0] + corners.stride;
+    for (int i = 0; i < 4; i++) {
+      part[i] = corners.signature[corner[i]] == corners.signature[corner[0]] ? 0 : 1;
+    }
   }
 
-  private int part(int i) {
-    return corners.signature[corner[i]] == corners.signature[corner[0]] ? 0 : 1;
-  }
-
-  /** Adds {@link #point} to the outline of a part, and the triangle that it completes. */
-  private void add(int part) {
-    double[] a = start[part];
-    double[] b = last[part];
-    if (points[part] == 0) {
-      System.arraycopy(point, 0, a, 0, 5);
-    } else if (points[part] > 1) {
-      double twice = (b[0] - a[0]) * (point[1] - a[1]) - (b[1] - a[1]) * (point[0] - a[0]);
+  /**
+   * Adds a point to the outline of a part, and the triangle that it completes.
+   *
+   * @param at where its radiance stands among the points
+   * @return where the next may stand
+   */
+  private int add(int part, int at, double x, double y) {
+    points[at] = x;
+    points[at + 1] = y;
+    int a = start[part];
+    int b = last[part];
+    if (a < 0) {
+      start[part] = at;
+    } else if (a != b) {
+      double twice =
+          (points[b] - points[a]) * (y - points[a + 1])
+              - (points[b + 1] - points[a + 1]) * (x - points[a]);
       area[part] += twice;
-      for (int i = 0; i < 3; i++) {
-        sum[part][i] += twice / 3 * (a[2 + i] + b[2 + i] + point[2 + i]);
+      for (int i = 2; i < POINT; i++) {
+        sum[part][i - 2] += twice / 3 * (points[a + i] + points[b + i] + points[at + i]);
       }
     }
-    System.arraycopy(point, 0, b, 0, 5);
-    points[part]++;
+    last[part] = at;
+    return at + POINT;
   }
 
   private void finish(double[] colour, int part) {
@@ -120,11 +133,11 @@ final class Parts {
     }
   }
 
-  private void plain(double[] colour, int part) {
+  private void plain(double[] colour, int which) {
     Arrays.fill(colour, 0);
     int count = 0;
     for (int i = 0; i < 4; i++) {
-      if (part(i) == part) {
+      if (part[i] == which) {
         count++;
         for (int channel = 0; channel < 3; channel++) {
           colour[channel] += corners.rgb[3 * corner[i] + channel];

@@ -3,9 +3,8 @@ package glint.render;
 /**
  * Works on pixels of a film, one at a time; one per thread.
  *
- * <p>A pixel begins with a model of itself that its corners give for nothing: radiance that runs
- * evenly from corner to corner, or two plain colours and an arc between. Samples are taken of what
- * the model gets wrong, so that a good model leaves them little to find (a control variate).
+ * <p>Samples are taken of what the model of a pixel gets wrong, which is that of its {@link
+ * Estimator}, so that a good model leaves them little to find (a control variate).
  */
 final class Refiner {
 
@@ -14,105 +13,26 @@ final class Refiner {
 
   private final Film film;
   private final CornerGrid corners;
-  private final Sides sides;
   private final LevelScale scale;
   private final Split split;
   private final double[] model = new double[3];
   private final double[] before = new double[3];
   private final double[] mean = new double[3];
 
-  private final Bends bends;
-
   final Probe probe;
   final Survey survey;
   final Aim aim;
-  final NoiseAround noise;
+  final Estimator estimator;
 
-  Refiner(Film film, CornerGrid corners, Sides sides, LevelScale scale, Probe probe) {
+  Refiner(Film film, CornerGrid corners, Brackets brackets, LevelScale scale, Probe probe) {
     this.film = film;
     this.corners = corners;
-    this.sides = sides;
     this.scale = scale;
     this.probe = probe;
-    split = new Split(corners, sides);
-    bends = new Bends(corners, scale);
+    split = new Split(corners, brackets);
     survey = new Survey(film, corners, probe);
     aim = new Aim(corners, scale, probe);
-    noise = new NoiseAround(film, corners, scale);
-  }
-
-  /** Estimates all pixels of a row, like {@link #estimate}. */
-  void estimateRow(int y) {
-    bends.turn(y);
-    for (int x = 0; x < film.width; x++) {
-      int pixel = y * film.width + x;
-      if (film.kind[pixel] == Film.SMOOTH && film.level[pixel] == 0) {
-        showCorners(x, y);
-        film.own[pixel] = (float) bends.errorInRow(x, film.image);
-      } else {
-        estimate(x, y);
-      }
-    }
-  }
-
-  /**
-   * Takes a pixel that was never sampled from its model, and estimates the error of that; of one
-   * whose samples are random, what is around.
-   */
-  void estimate(int x, int y) {
-    int pixel = y * film.width + x;
-    if (film.level[pixel] > 0) {
-      if (film.random[pixel]) {
-        noise.listen(x, y);
-      }
-      return;
-    }
-    if (film.kind[pixel] == Film.SPLIT) {
-      if (split.look(x, y) && split.agrees(film.middleAsCorner[pixel])) {
-        film.image.set(x, y, split.mean(0), split.mean(1), split.mean(2));
-        film.doubt[pixel] = (float) (split.doubt(scale) + bends.error(x, y, film.image));
-        film.own[pixel] = (float) split.variance(scale) + film.doubt[pixel];
-        return;
-      }
-      film.kind[pixel] = Film.BUSY;
-    }
-    Focus focus = film.kind[pixel] == Film.BUSY ? film.focus.get(pixel) : null;
-    if (focus != null) {
-      film.image.set(x, y, focus.guess[0], focus.guess[1], focus.guess[2]);
-      film.own[pixel] = (float) focus.unseen();
-      return;
-    }
-    showCorners(x, y);
-    film.own[pixel] =
-        film.kind[pixel] == Film.SMOOTH
-            ? (float) bends.error(x, y, film.image)
-            : 0.3f * film.contrast[pixel];
-  }
-
-  private void showCorners(int x, int y) {
-    film.image.set(x, y, corners.mean(x, y, 0), corners.mean(x, y, 1), corners.mean(x, y, 2));
-  }
-
-  /** Returns whether the edge of a split pixel may, for all that is known, run along corners. */
-  boolean mayRunAlongCorners(int x, int y) {
-    split.cross(x, y);
-    return sides.endsAtCorner(split.crossed(0), 2) && sides.endsAtCorner(split.crossed(1), 2);
-  }
-
-  /** Asks for the brackets of a split pixel to be divided. */
-  void want(int x, int y) {
-    if (split.cross(x, y)) {
-      int steps = split.steps();
-      int one = split.crossed(0);
-      int two = split.crossed(1);
-      boolean both = sides.endsAtCorner(one, 2) && sides.endsAtCorner(two, 2);
-      for (int i = 0; i < 2; i++) {
-        int side = split.crossed(i);
-        if (sides.steps[side] <= steps + 1) {
-          sides.want(side, both || sides.endsAtCorner(side, 3));
-        }
-      }
-    }
+    estimator = new Estimator(film, corners, brackets, scale);
   }
 
   /**
@@ -132,7 +52,7 @@ final class Refiner {
     probe.pixel(x, y);
     int total = 1 << level;
     int half = total / 2;
-    Focus focus = film.kind[pixel] == Film.BUSY ? film.focus.get(pixel) : null;
+    Focus focus = film.focus[pixel];
     if (focus != null) {
       film.level[pixel] = (byte) level;
       return sample(x, y, slot, focus, have, total);
@@ -259,6 +179,8 @@ final class Refiner {
       moved += scale.squaredDifference(mean[channel], before[channel]);
       double squares = film.sums[at + 3] / count - difference * difference;
       double spread = Math.sqrt(Math.max(0, squares) / (count - 1));
+      double sum = film.sums[at];
+      film.sums[at + 9] = Math.max(0, film.sums[at + 3] - sum * sum / count) / (count - 1);
       variance += scale.squaredError(mean[channel], spread);
     }
     film.image.set(x, y, mean[0], mean[1], mean[2]);

@@ -23,7 +23,7 @@ final class Rounds {
   private final Film film;
   private final CornerGrid corners;
   private final FirstLook firstLook;
-  private final Sides sides;
+  private final Brackets brackets;
   private final ErrorModel model;
   private final Allocation allocation;
   private final Sampling sampling;
@@ -36,13 +36,13 @@ final class Rounds {
       RenderSettings settings,
       Film film,
       CornerGrid corners,
-      Sides sides,
+      Brackets brackets,
       LevelScale scale,
       Crew<Refiner> crew,
       Progress progress) {
     this.film = film;
     this.corners = corners;
-    this.sides = sides;
+    this.brackets = brackets;
     this.crew = crew;
     Hidden hidden = new Hidden(film);
     model = new ErrorModel(film, hidden);
@@ -67,7 +67,7 @@ final class Rounds {
     int audits = 0;
     boolean audited = false;
     for (int round = 0; ; round++) {
-      boolean learned = sides.learn();
+      boolean learned = brackets.learn();
       if (round == 0) {
         estimateAll();
       } else {
@@ -86,8 +86,7 @@ final class Rounds {
       }
       boolean late = deadline != Long.MAX_VALUE && System.nanoTime() - deadline > 0;
       double next = deadline == Long.MAX_VALUE ? levels : Math.max(levels, SHORT_ROUND * error);
-      allocation.aim(variance(next));
-      if (reached || late || !refine()) {
+      if (reached || late || !refine(next)) {
         return error;
       }
       audited = false;
@@ -125,12 +124,12 @@ final class Rounds {
     int x = pixel % film.width;
     int y = pixel / film.width;
     boolean tellsColours = corners.crossings(x, y) > 2 && !corners.leapsOverDetail(x, y);
-    return tellsColours || film.focus.containsKey(pixel);
+    return tellsColours || film.focus[pixel] != null;
   }
 
   /** Estimates all pixels but those just sampled. */
   private void estimateAll() throws InterruptedException {
-    crew.run(film.height, (refiner, y) -> refiner.estimateRow(y));
+    crew.run(film.height, (refiner, y) -> refiner.estimator.estimateRow(y));
   }
 
   /**
@@ -144,20 +143,23 @@ final class Rounds {
         active.length,
         (refiner, i) -> {
           int pixel = active[i];
+          if (film.kind[pixel] == Film.SMOOTH) {
+            return;
+          }
           int x = pixel % film.width;
           int y = pixel / film.width;
-          boolean edge = film.kind[pixel] == Film.SPLIT;
-          boolean news = film.stale[pixel] && film.kind[pixel] != Film.SMOOTH;
-          if (news || (edge && corners && refiner.mayRunAlongCorners(x, y))) {
+          boolean edge = corners && film.kind[pixel] == Film.SPLIT;
+          if (film.stale[pixel] || (edge && refiner.estimator.mayRunAlongCorners(x, y))) {
             film.stale[pixel] = false;
-            refiner.estimate(x, y);
+            refiner.estimator.estimate(x, y);
           }
         });
   }
 
-  /** Does what is worth it; returns whether there was anything. */
-  private boolean refine() throws InterruptedException {
-    Refiner any = crew.workers().get(0);
+  /** Does what is worth it to come down to an error; returns whether there was anything. */
+  private boolean refine(double next) throws InterruptedException {
+    allocation.aim(variance(next));
+    Estimator any = crew.workers().get(0).estimator;
     allocation.forEachWorthy(
         pixel -> {
           if (allocation.searches(pixel)) {
@@ -167,10 +169,11 @@ final class Rounds {
           }
         });
     chooseHiding();
-    int[] wanted = sides.wanted();
+    int[] wanted = brackets.wanted();
     boolean worked = wanted.length > 0 || sampling.hasChosen();
     sampling.run();
-    crew.runInBatches(wanted.length, (refiner, i) -> sides.divide(refiner.probe, wanted[i]));
+    crew.runInBatches(wanted.length, (refiner, i) -> brackets.divide(refiner.probe, wanted[i]));
+    Sides sides = brackets.sides;
     for (int side : wanted) {
       int x = sides.column(side);
       int y = sides.row(side);

@@ -1,7 +1,5 @@
 package glint.render;
 
-import java.util.Arrays;
-
 /** Samples chosen pixels, on all threads. */
 final class Sampling {
 
@@ -19,9 +17,7 @@ final class Sampling {
   /** The first samples of a pixel, as a power of two. */
   private final int first;
 
-  private final boolean[] isChosen;
-  private int[] chosen = new int[1024];
-  private int count;
+  private final Selection chosen = new Selection();
 
   Sampling(Film film, ErrorModel model, Crew<Refiner> crew, TileCount done) {
     this.film = film;
@@ -31,30 +27,23 @@ final class Sampling {
     int pixels = film.kind.length;
     int doublings = Integer.numberOfLeadingZeros(pixels) - Integer.numberOfLeadingZeros(SMALL);
     first = Refiner.FIRST + Math.max(0, doublings);
-    isChosen = new boolean[film.kind.length];
   }
 
   /** Chooses a pixel for the next run, if it is not chosen yet. */
   void choose(int pixel) {
-    if (isChosen[pixel]) {
-      return;
+    if (chosen.add(pixel)) {
+      film.open(pixel);
     }
-    isChosen[pixel] = true;
-    if (count == chosen.length) {
-      chosen = Arrays.copyOf(chosen, 2 * count);
-    }
-    chosen[count++] = pixel;
-    film.open(pixel);
   }
 
   /** Returns whether any pixel is chosen. */
   boolean hasChosen() {
-    return count > 0;
+    return !chosen.isEmpty();
   }
 
   /** Returns the pixels that are chosen. */
   int[] chosen() {
-    return Arrays.copyOf(chosen, count);
+    return chosen.list();
   }
 
   /** Doubles the samples of the pixels chosen, and begins to choose anew. */
@@ -68,30 +57,24 @@ final class Sampling {
    * @param least as a power of two, the samples that a pixel shall have at least
    */
   void run(int least) throws InterruptedException {
-    double[] moved = new double[count];
+    int[] pixels = chosen.take();
+    double[] moved = new double[pixels.length];
     crew.run(
-        (count + BATCH - 1) / BATCH,
+        (pixels.length + BATCH - 1) / BATCH,
         (refiner, batch) -> {
-          int end = Math.min(count, BATCH * (batch + 1));
-          done.begin(chosen[BATCH * batch], chosen[end - 1]);
+          int end = Math.min(pixels.length, BATCH * (batch + 1));
+          done.begin(pixels[BATCH * batch], pixels[end - 1]);
           for (int i = BATCH * batch; i < end; i++) {
-            int begin = film.focus.containsKey(chosen[i]) ? first + 1 : Math.max(first, least);
-            int level = Math.max(begin, film.level[chosen[i]] + 1);
-            moved[i] = refiner.sample(chosen[i] % film.width, chosen[i] / film.width, level);
+            int begin = film.focus[pixels[i]] != null ? first + 1 : Math.max(first, least);
+            int level = Math.max(begin, film.level[pixels[i]] + 1);
+            moved[i] = refiner.sample(pixels[i] % film.width, pixels[i] / film.width, level);
           }
           done.count(refiner.probe);
         });
-    for (int i = 0; i < count; i++) {
-      int x = chosen[i] % film.width;
-      int y = chosen[i] / film.width;
-      film.compare(x, y);
-      film.outdateAround(x, y);
-      if (film.random[chosen[i]]) {
-        crew.workers().get(0).noise.listen(x, y);
-      }
-      model.note(chosen[i], moved[i]);
-      isChosen[chosen[i]] = false;
+    crew.runInBatches(pixels.length, (refiner, i) -> film.compare(pixels[i]));
+    for (int i = 0; i < pixels.length; i++) {
+      film.outdateAround(pixels[i]);
+      model.note(pixels[i], moved[i]);
     }
-    count = 0;
   }
 }

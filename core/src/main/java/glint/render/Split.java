@@ -10,7 +10,7 @@ final class Split {
   private static final double NEAR = 0.02;
 
   private final CornerGrid corners;
-  private final Sides sides;
+  private final Brackets brackets;
   private final Arc arc;
 
   /** The two sides crossed, as numbers of {@link Sides}. */
@@ -34,11 +34,14 @@ final class Split {
   /** Twice the signed area of the triangle of the edge and the upper left corner. */
   private double orientation;
 
-  Split(CornerGrid corners, Sides sides) {
+  /** The share of the pixel on the side of its upper left corner. */
+  private double share;
+
+  Split(CornerGrid corners, Brackets brackets) {
     this.corners = corners;
-    this.sides = sides;
-    arc = new Arc(corners, sides, which, x, y);
-    parts = new Parts(corners, sides);
+    this.brackets = brackets;
+    arc = new Arc(corners, brackets, which, x, y);
+    parts = new Parts(corners, brackets);
     first = parts.first;
     second = parts.second;
   }
@@ -50,9 +53,10 @@ final class Split {
    */
   boolean look(int column, int row) {
     boolean once = cross(column, row);
-    place(sides.middle(crossed[0]), sides.middle(crossed[1]));
+    place(brackets.middle(crossed[0]), brackets.middle(crossed[1]));
     parts.fromSearch(column, row, which, x, y);
     arc.look(column, row, orientation);
+    share = share();
     return once;
   }
 
@@ -62,10 +66,10 @@ final class Split {
     for (int side = 0; side < 4; side++) {
       if (corners.differ(column, row, side)) {
         which[count] = side;
-        crossed[count++] = sides.number(column, row, side);
+        crossed[count++] = brackets.sides.number(column, row, side);
       }
     }
-    return steps() != Sides.MIXED;
+    return steps() != Brackets.MIXED;
   }
 
   /**
@@ -78,6 +82,7 @@ final class Split {
     place(one, two);
     arc.freeze(bulge, orientation);
     parts.fromCorners(column, row);
+    share = share();
   }
 
   /** Returns by how much the edge covers more than a straight one, as {@link #freeze} takes it. */
@@ -109,10 +114,12 @@ final class Split {
 
   /** Returns how often the less known of the two brackets was divided. */
   int steps() {
-    return Math.min(sides.steps[crossed[0]], sides.steps[crossed[1]]);
+    return Math.min(brackets.steps(crossed[0]), brackets.steps(crossed[1]));
   }
 
-  /** Returns the share of the pixel on the side of its upper left corner. */
+  /**
+   * Returns the share of the pixel on the side of its upper left corner if the edge is straight.
+   */
   private double area() {
     if (which[0] == 0 && which[1] == 1) {
       return 0.5 * (x[0] + x[1]);
@@ -126,9 +133,12 @@ final class Split {
     return which[0] == 0 && which[1] == 2 ? cornerCut : 1 - cornerCut;
   }
 
+  private double share() {
+    return Math.min(Math.max(area() + arc.bulge(), 0), 1);
+  }
+
   /** Returns the mean of a channel over the pixel. */
   double mean(int channel) {
-    double share = Math.min(Math.max(area() + arc.bulge(), 0), 1);
     return share * first[channel] + (1 - share) * second[channel];
   }
 
@@ -146,7 +156,7 @@ final class Split {
     double dx = x[1] - x[0];
     double dy = y[1] - y[0];
     double length = Math.sqrt(dx * dx + dy * dy);
-    double bracket = Math.max(sides.length(crossed[0]), sides.length(crossed[1]));
+    double bracket = Math.max(brackets.length(crossed[0]), brackets.length(crossed[1]));
     double sag = 1.5 * (Math.abs(arc.bulge()) + arc.doubt());
     double middle = side(0.5, 0.5);
     boolean near = Math.abs(middle) <= length * (bracket + NEAR) + sag;
@@ -162,12 +172,12 @@ final class Split {
    * sides: it may be anywhere in its brackets, or run just along the corners that both end at.
    */
   double variance(LevelScale scale) {
-    double atCorner = Math.min(sides.atCorner(crossed[0]), sides.atCorner(crossed[1]));
+    double atCorner = Math.min(brackets.atCorner(crossed[0]), brackets.atCorner(crossed[1]));
     double variance = 0;
     double sum = 0;
     for (int i = 0; i < 2; i++) {
       double along = along(i);
-      double half = 0.5 * sides.length(crossed[i]);
+      double half = 0.5 * brackets.length(crossed[i]);
       place(i, along + half);
       double more = area();
       place(i, along - half);

@@ -45,11 +45,11 @@ final class Survey {
     }
   }
 
-  /** Counts the edges around the pixels of a row. */
-  void count(int y) {
+  /** Counts the edges around the pixels of a row, from one up to another. */
+  void count(int y, int begin, int end) {
     int first = Math.max(0, y - 1) * film.width;
     int last = Math.min(film.height - 1, y + 1) * film.width;
-    for (int x = 0; x < film.width; x++) {
+    for (int x = Math.max(0, begin - 1); x < Math.min(film.width, end + 1); x++) {
       busy[x + 1] = 0;
       splits[x + 1] = 0;
       for (int pixel = first + x; pixel <= last + x; pixel += film.width) {
@@ -57,7 +57,7 @@ final class Survey {
         splits[x + 1] += film.kind[pixel] == Film.SPLIT ? 1 : 0;
       }
     }
-    for (int x = 0; x < film.width; x++) {
+    for (int x = begin; x < end; x++) {
       int pixel = y * film.width + x;
       int own = film.kind[pixel] == Film.SPLIT ? 1 : 0;
       int busyAround = busy[x] + busy[x + 1] + busy[x + 2];
@@ -67,25 +67,30 @@ final class Survey {
   }
 
   /**
-   * Looks into the middle of a pixel that is split or beside an edge.
+   * Looks into the middle of a pixel that is split or beside an edge, once.
    *
    * @return whether something is there that no corner shows: then nothing is taken for known
    */
-  boolean surprises(int x, int y) {
-    int pixel = y * film.width + x;
+  boolean surprises(int pixel) {
     boolean idle = film.kind[pixel] == Film.SMOOTH && film.surroundings[pixel] == 0;
-    if (film.checked[pixel] || film.kind[pixel] == Film.BUSY || idle) {
+    if (idle || film.kind[pixel] == Film.BUSY || film.checked[pixel]) {
       return false;
     }
     film.checked[pixel] = true;
+    int x = pixel % film.width;
+    int y = pixel / film.width;
     long[] met = corners.signature;
     int a = y * corners.stride + x;
     int c = a + corners.stride;
     boolean finite = probe.trace(x + 0.5, y + 0.5);
     long middle = probe.signature();
     film.middleAsCorner[pixel] = middle == met[a];
-    return !finite
-        || (middle != met[a] && middle != met[a + 1] && middle != met[c] && middle != met[c + 1]);
+    boolean known =
+        middle == met[a] || middle == met[a + 1] || middle == met[c] || middle == met[c + 1];
+    if (!finite || !known) {
+      film.kind[pixel] = Film.BUSY;
+    }
+    return film.kind[pixel] == Film.BUSY;
   }
 
   private static int grade(int count) {

@@ -19,7 +19,7 @@ final class TargetRender implements Method {
   private final PixelWatch watch;
   private final Film film;
   private final CornerGrid corners;
-  private final Sides sides;
+  private final Brackets brackets;
   private Rounds rounds;
 
   TargetRender(
@@ -36,7 +36,7 @@ final class TargetRender implements Method {
     this.aovs = aovs;
     film = new Film(image);
     corners = new CornerGrid(image.width(), image.height(), scene.plan().images().used());
-    sides = new Sides(corners, settings.seed());
+    brackets = new Brackets(corners, settings.seed());
   }
 
   @Override
@@ -48,12 +48,12 @@ final class TargetRender implements Method {
     List<Refiner> refiners = new ArrayList<>();
     for (int i = 0; i < settings.threads(); i++) {
       Probe probe = new Probe(scene, cutting, watch);
-      refiners.add(new Refiner(film, corners, sides, scale, probe));
+      refiners.add(new Refiner(film, corners, brackets, scale, probe));
     }
     try (Crew<Refiner> crew = new Crew<>(refiners, cancelled, threads)) {
       SmallThings small = new SmallThings(scene, refiners.get(0).probe.view(), corners);
       Progress filling = aovs.isEmpty() ? progress : new Filling(progress);
-      rounds = new Rounds(small, settings, film, corners, sides, scale, crew, filling);
+      rounds = new Rounds(small, settings, film, corners, brackets, scale, crew, filling);
       double error = rounds.run(goal.levels() * (1 - Cutoff.SHARE), deadline);
       look(crew);
       return traced(refiners, error);
@@ -83,16 +83,16 @@ final class TargetRender implements Method {
   private void fill() {
     Image errors = aovs.get(Aov.ERROR);
     Image samples = aovs.get(Aov.SAMPLES);
-    for (int pixel = 0; pixel < film.kind.length; pixel++) {
-      int x = pixel % film.width;
-      int y = pixel / film.width;
-      if (errors != null) {
-        double e = rounds.error(pixel);
-        errors.set(x, y, e, e, e);
-      }
-      if (samples != null) {
-        int n = rays(x, y);
-        samples.set(x, y, n, n, n);
+    for (int y = 0; y < film.height; y++) {
+      for (int x = 0; x < film.width; x++) {
+        if (errors != null) {
+          double e = rounds.error(y * film.width + x);
+          errors.set(x, y, e, e, e);
+        }
+        if (samples != null) {
+          int n = rays(x, y);
+          samples.set(x, y, n, n, n);
+        }
       }
     }
   }
@@ -132,8 +132,8 @@ final class TargetRender implements Method {
   /** Returns how many camera rays a pixel took: of what it shares, those above and to the left. */
   private int rays(int x, int y) {
     int pixel = y * film.width + x;
-    int searches = Math.max(0, sides.steps[sides.top(x, y)]);
-    searches += Math.max(0, sides.steps[sides.left(x, y)]);
+    int searches = Math.max(0, brackets.steps(brackets.sides.top(x, y)));
+    searches += Math.max(0, brackets.steps(brackets.sides.left(x, y)));
     return 1 + searches + (film.checked[pixel] ? 1 : 0) + film.samples(pixel);
   }
 
@@ -150,14 +150,14 @@ final class TargetRender implements Method {
     int most = 0;
     long sum = 0;
     double[] cut = new double[film.kind.length];
-    for (int pixel = 0; pixel < cut.length; pixel++) {
-      int x = pixel % film.width;
-      int y = pixel / film.width;
-      int n = rays(x, y);
-      least = Math.min(least, n);
-      most = Math.max(most, n);
-      sum += n;
-      cut[pixel] = cut(x, y);
+    for (int y = 0; y < film.height; y++) {
+      for (int x = 0; x < film.width; x++) {
+        int n = rays(x, y);
+        least = Math.min(least, n);
+        most = Math.max(most, n);
+        sum += n;
+        cut[y * film.width + x] = cut(x, y);
+      }
     }
     double mean = (double) sum / cut.length;
     return new Traced(counts, least, mean, most, invalid, invalidPixel, cut, error);

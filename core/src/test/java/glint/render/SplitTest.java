@@ -100,17 +100,17 @@ class SplitTest {
 
   /** Places the crossings of the first two sides with different ends, in the order of numbers. */
   private static Split split(CornerGrid corners, int first, int second, int steps) {
-    Sides sides = new Sides(corners, 0);
-    int[] numbers = {sides.top(0, 0), sides.bottom(0, 0), sides.left(0, 0), sides.right(0, 0)};
+    Brackets brackets = new Brackets(corners, 0);
     int[][] ends = {{0, 1}, {2, 3}, {0, 2}, {1, 3}};
     int found = 0;
     for (int i = 0; i < 4; i++) {
       if (corners.signature[ends[i][0]] != corners.signature[ends[i][1]]) {
-        sides.steps[numbers[i]] = (byte) steps;
-        sides.low[numbers[i]] = Math.scalb((float) (found == 0 ? first : second), -steps);
-        sides.high[numbers[i]] = Math.scalb((float) (found++ == 0 ? first : second) + 1, -steps);
+        int at = brackets.open(brackets.sides.number(0, 0, i));
+        brackets.steps[at] = (byte) steps;
+        brackets.low[at] = Math.scalb((float) (found == 0 ? first : second), -steps);
+        brackets.high[at] = Math.scalb((float) (found++ == 0 ? first : second) + 1, -steps);
       }
     }
-    return new Split(corners, sides);
+    return new Split(corners, brackets);
   }
 }

@@ -1,0 +1,102 @@
+package glint.render;
+
+/**
+ * Estimates pixels of a film from models of them, one at a time; one per thread.
+ *
+ * <p>A pixel begins with a model of itself that its corners give for nothing: radiance that runs
+ * evenly from corner to corner, or two plain colours and an arc between.
+ */
+final class Estimator {
+
+  private final Film film;
+  private final CornerGrid corners;
+  private final Brackets brackets;
+  private final LevelScale scale;
+  private final Split split;
+  private final Bends bends;
+  private final NoiseAround noise;
+
+  Estimator(Film film, CornerGrid corners, Brackets brackets, LevelScale scale) {
+    this.film = film;
+    this.corners = corners;
+    this.brackets = brackets;
+    this.scale = scale;
+    split = new Split(corners, brackets);
+    bends = new Bends(corners, scale);
+    noise = new NoiseAround(film, corners, scale);
+  }
+
+  /** Estimates all pixels of a row, like {@link #estimate}. */
+  void estimateRow(int y) {
+    bends.turn(y);
+    for (int x = 0; x < film.width; x++) {
+      int pixel = y * film.width + x;
+      if (film.kind[pixel] == Film.SMOOTH && film.level[pixel] == 0) {
+        showCorners(x, y);
+        film.own[pixel] = (float) bends.errorInRow(x, film.image);
+      } else {
+        estimate(x, y);
+      }
+    }
+  }
+
+  /**
+   * Takes a pixel that was never sampled from its model, and estimates the error of that; of one
+   * whose samples are random, what is around.
+   */
+  void estimate(int x, int y) {
+    int pixel = y * film.width + x;
+    if (film.level[pixel] > 0) {
+      if (film.random[pixel]) {
+        noise.listen(x, y);
+      }
+      return;
+    }
+    if (film.kind[pixel] == Film.SPLIT) {
+      if (split.look(x, y) && split.agrees(film.middleAsCorner[pixel])) {
+        film.image.set(x, y, split.mean(0), split.mean(1), split.mean(2));
+        film.doubt[pixel] = (float) (split.doubt(scale) + bends.error(x, y, film.image));
+        film.own[pixel] = (float) split.variance(scale) + film.doubt[pixel];
+        return;
+      }
+      film.kind[pixel] = Film.BUSY;
+    }
+    Focus focus = film.focus[pixel];
+    if (focus != null) {
+      film.image.set(x, y, focus.guess[0], focus.guess[1], focus.guess[2]);
+      film.own[pixel] = (float) focus.unseen();
+      return;
+    }
+    showCorners(x, y);
+    film.own[pixel] =
+        film.kind[pixel] == Film.SMOOTH
+            ? (float) bends.error(x, y, film.image)
+            : 0.3f * film.contrast[pixel];
+  }
+
+  private void showCorners(int x, int y) {
+    film.image.set(x, y, corners.mean(x, y, 0), corners.mean(x, y, 1), corners.mean(x, y, 2));
+  }
+
+  /** Returns whether the edge of a split pixel may, for all that is known, run along corners. */
+  boolean mayRunAlongCorners(int x, int y) {
+    split.cross(x, y);
+    return brackets.endsAtCorner(split.crossed(0), 2) && brackets.endsAtCorner(split.crossed(1), 2);
+  }
+
+  /** Asks for the brackets of a split pixel to be divided. */
+  void want(int x, int y) {
+    if (split.cross(x, y)) {
+      int steps = split.steps();
+      int one = split.crossed(0);
+      int two = split.crossed(1);
+      boolean both = brackets.endsAtCorner(one, 2) && brackets.endsAtCorner(two, 2);
+      for (int i = 0; i < 2; i++) {
+        int side = split.crossed(i);
+        if (brackets.steps(side) <= steps + 1) {
+          brackets.want(side, both || brackets.endsAtCorner(side, 3));
+        }
+      }
+    }
+  }
+}
