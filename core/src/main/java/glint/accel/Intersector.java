@@ -17,6 +17,9 @@ public final class Intersector {
   /** In place of a node: nothing. No leaf is packed like that. */
   private static final int END = Integer.MIN_VALUE;
 
+  /** From here on a t has all of its bits in a model as well, which is scaled by at most 2^160. */
+  private static final double LEAST_T = 0x1p-800;
+
   private final Primitives primitives;
 
   /** The tree over the primitives, or else the boxes around them; null where not used. */
@@ -73,6 +76,16 @@ public final class Intersector {
   public void closest(Ray ray, double tMax, Hit hit) {
     hit.begin(tMax);
     search(ray, hit, false);
+  }
+
+  /**
+   * Returns whether it is certain that a ray meets nothing else from the hit that {@link #closest}
+   * found up to a parameter; what coincides with it counts as else.
+   *
+   * <p>The search left out only boxes whose t has a greater upper half of its bits.
+   */
+  public boolean isAlone(Hit hit, double end) {
+    return hit.next > end && Slabs.bits(end) == Slabs.bits(hit.t) && hit.t >= LEAST_T;
   }
 
   /** Returns whether anything is hit in {@code (ray.tMin, tMax]}. */

@@ -35,7 +35,7 @@ final class BoxKernel {
     double leaveZ = (data[at + 5 - z] - ray.oz) / ray.dz;
     double near = Math.max(enterX, Math.max(enterY, enterZ));
     double far = Math.min(leaveX, Math.min(leaveY, leaveZ));
-    if (near <= far && far > 0 && near * ray.unit <= hit.t) {
+    if (near <= far && far > 0) {
       int nearFace = near == enterX ? x : near == enterY ? 1 + y : 2 + z;
       int farFace = far == leaveX ? 3 - x : far == leaveY ? 4 - y : 5 - z;
       hit.offerSolid(ray, near, far, id, nearFace, farFace);

@@ -41,6 +41,12 @@ public final class Hit {
 
   int partSlot;
 
+  /**
+   * The least parameter of anything else that the search came upon; where the ray enters a solid,
+   * that counts as well which leads out of it.
+   */
+  public double next;
+
   /** Whether the ray enters the surface's inside here (1), leaves it (-1), or only touches (0). */
   public int crossing;
 
@@ -108,6 +114,7 @@ public final class Hit {
   /** Begins a search for hits up to and including {@code tMax}, but never beyond the farthest. */
   public void begin(double tMax) {
     t = Math.min(tMax, FARTHEST);
+    next = Double.POSITIVE_INFINITY;
     primitive = NONE;
   }
 
@@ -124,14 +131,25 @@ public final class Hit {
   /** Records a hit if it is in range and closer; equal parameters go to the lower primitive. */
   void offer(Ray ray, double local, int id, int newCrossing, double newU, double newV) {
     double candidate = local * ray.unit;
-    if (candidate > 0
-        && (candidate < t || (candidate == t && id < primitive))
-        && ray.reaches(candidate, id)) {
+    if (!(candidate > 0 && ray.reaches(candidate, id))) {
+      return;
+    }
+    if (candidate < t || (candidate == t && id < primitive)) {
+      next = t;
       t = candidate;
       primitive = id;
       crossing = newCrossing;
       u = newU;
       v = newV;
+    } else {
+      passBy(candidate);
+    }
+  }
+
+  /** Takes note of a parameter that is not the least of all. */
+  void passBy(double other) {
+    if (other < next) {
+      next = other;
     }
   }
 
@@ -189,6 +207,7 @@ public final class Hit {
     int through = near < far ? 1 : 0;
     if (outside) {
       offer(ray, near, id, through, nearPart, 0);
+      passBy(far * ray.unit);
     } else {
       offer(ray, far, id, -through, farPart, 0);
     }
@@ -221,6 +240,7 @@ public final class Hit {
   /** Makes this the same hit as another. */
   public void copy(Hit other) {
     t = other.t;
+    next = other.next;
     primitive = other.primitive;
     slot = other.slot;
     part = other.part;

@@ -155,6 +155,7 @@ public final class Primitives {
       hit.u = inModel.u;
       hit.v = inModel.v;
     }
+    hit.passBy(inModel.next); // where the model is met, at most where its search was to end
   }
 
   /** Returns how many primitives have no bounds; they take the first slots. */

@@ -77,11 +77,13 @@ final class Boundary {
     visible = scene.isOpen(surface) || scene.mediumOf(surface) == Prepared.OUTSIDE;
     ray.goOnAfter(hit);
     double reach = Math.min(end, hit.t + hit.clearance(ray));
-    while (true) {
+    boolean alone = intersector.isAlone(hit, reach);
+    while (!alone) {
       intersector.closest(ray, reach, last);
       if (!last.found()) {
         break;
       }
+      alone = intersector.isAlone(last, reach);
       intersector.resolve(ray, last);
       several = true;
       ray.goOnAfter(last);
