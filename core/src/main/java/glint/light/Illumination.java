@@ -124,6 +124,16 @@ public final class Illumination {
     return lamp[i] == null ? null : lamp[i].shape();
   }
 
+  /** Returns whether a light without an area sends parallel rays from everywhere. */
+  public boolean isFar(int i) {
+    return kind[i] == DIRECTIONAL;
+  }
+
+  /** Returns the way of light from a light without an area to a point; from afar, of length 1. */
+  public Vector3d way(int i, Vector3d to) {
+    return isFar(i) ? where[i].negated() : to.minus(where[i]);
+  }
+
   /** Returns the colour of a light. */
   Rgb color(int i) {
     return color[i];

@@ -28,13 +28,18 @@ final class Aim {
     this.probe = probe;
   }
 
-  /** Returns the parts of a pixel where something is seen that matters, or null. */
-  Focus look(int x, int y, List<SmallThings.Glimpse> glimpses) {
+  /**
+   * Returns the parts of a pixel where something is seen that matters, or null.
+   *
+   * @param around a variance that is to be expected of the rest of the pixel, in levels²
+   */
+  Focus look(int x, int y, List<SmallThings.Glimpse> glimpses, double around) {
     around(x, y, glimpses);
+    contrast = Math.max(contrast, around);
     ConvexPolygon first = new ConvexPolygon();
     ConvexPolygon second = new ConvexPolygon();
     for (SmallThings.Glimpse each : glimpses) {
-      if (isSeen(each)) {
+      if (isSeen(x, y, each)) {
         fill(each.part().area());
         ConvexPolygon part = first.isEmpty() ? first : second;
         part.add(each.part());
@@ -47,15 +52,25 @@ final class Aim {
         : null;
   }
 
-  private boolean isSeen(SmallThings.Glimpse glimpse) {
+  private boolean isSeen(int x, int y, SmallThings.Glimpse glimpse) {
     ConvexPolygon part = glimpse.part();
     for (int i = 0; i < RAYS; i++) {
       part.pick((i + 0.5) / RAYS, (0.5 + 3 * i) / RAYS % 1);
-      if (probe.trace(part.px, part.py) && probe.first() == glimpse.surface()) {
+      if (probe.trace(part.px, part.py)
+          && (glimpse.shadow() ? isNews(x, y) : probe.first() == glimpse.surface())) {
         return true;
       }
     }
     return false;
+  }
+
+  /** Returns whether the last ray has met what no corner of a pixel has. */
+  private boolean isNews(int x, int y) {
+    long[] met = corners.signature;
+    int a = y * corners.stride + x;
+    int c = a + corners.stride;
+    long here = probe.signature();
+    return here != met[a] && here != met[a + 1] && here != met[c] && here != met[c + 1];
   }
 
   /** Lets the last ray's radiance fill an area of the pixel. */

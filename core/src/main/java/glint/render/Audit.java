@@ -6,7 +6,7 @@ import java.util.Arrays;
 /** Samples a few pixels of every kind, to learn what their models get wrong. */
 final class Audit {
 
-  /** Of how many pixels one is audited: split ones, smooth ones beside edges, others. */
+  /** Of how many pixels one is audited: split or veiled ones, smooth ones beside edges, others. */
   private static final int SPLIT = 12;
 
   private static final int BESIDE = 24;
@@ -85,7 +85,7 @@ final class Audit {
 
   private boolean isChosen(int pixel, int number) {
     OneIn smooth = film.surroundings[pixel] > 0 ? beside : alone;
-    OneIn some = film.kind[pixel] == Film.SPLIT ? split : smooth;
+    OneIn some = film.kind[pixel] == Film.SPLIT || film.veiled[pixel] ? split : smooth;
     return some.takes(SobolSampler.mix(seed ^ ((long) number << 32 | pixel)));
   }
 }

@@ -37,6 +37,12 @@ final class CornerGrid {
   /** Whether the ray, or one that came of it, was a random one of many. */
   final boolean[] random;
 
+  /** What casts shadows there, as in {@link glint.trace.Veil#casters}. */
+  private final long[] casters;
+
+  /** By how much they darken what is there: the square, in levels². */
+  private final float[] kept;
+
   /** A bound on the radiance left out. */
   final float[] cut;
 
@@ -53,6 +59,8 @@ final class CornerGrid {
     rgb = new double[3 * stride * rows];
     levels = new float[3 * stride * rows];
     random = new boolean[stride * rows];
+    casters = new long[stride * rows];
+    kept = new float[stride * rows];
     cut = new float[stride * rows];
     image = new float[images ? 2 * stride * rows : 0];
   }
@@ -60,10 +68,12 @@ final class CornerGrid {
   /** Traces a corner; one that is not finite is black and unlike any other. */
   void trace(Probe probe, LevelScale scale, int x, int y) {
     int at = y * stride + x;
-    boolean finite = probe.trace(x, y);
+    boolean finite = probe.traceWatching(x, y);
     signature[at] = finite ? probe.signature() : at;
     first[at] = probe.first();
     random[at] = probe.isRandom();
+    casters[at] = probe.casters();
+    kept[at] = finite && casters[at] != 0 ? (float) probe.kept(scale) : 0;
     rgb[3 * at] = finite ? probe.r() : 0;
     rgb[3 * at + 1] = finite ? probe.g() : 0;
     rgb[3 * at + 2] = finite ? probe.b() : 0;
@@ -124,6 +134,18 @@ final class CornerGrid {
     crossings += differ(x, y, 1) ? 1 : 0;
     crossings += differ(x, y, 2) ? 1 : 0;
     return crossings + (differ(x, y, 3) ? 1 : 0);
+  }
+
+  /**
+   * Returns how much light may fall between the shadows of several things at the corners of a
+   * pixel: the square of a difference, in levels²; 0 where all corners are in the same shadows.
+   */
+  float lightBetweenShadows(int x, int y) {
+    int a = y * stride + x;
+    int c = a + stride;
+    long here = casters[a];
+    boolean same = casters[a + 1] == here && casters[c] == here && casters[c + 1] == here;
+    return same ? 0 : Math.max(Math.max(kept[a], kept[a + 1]), Math.max(kept[c], kept[c + 1]));
   }
 
   /** Returns whether one ray does not tell all at a corner of a pixel. */

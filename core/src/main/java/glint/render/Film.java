@@ -39,6 +39,9 @@ final class Film {
   /** How much is going on around: 0 nothing, up to 15. */
   final byte[] surroundings;
 
+  /** Whether the corners of a smooth pixel are in the shadows of several things. */
+  final boolean[] veiled;
+
   /** Whether corners do not tell all that is to be seen, because their rays are random ones. */
   final boolean[] random;
 
@@ -103,6 +106,7 @@ final class Film {
     int count = width * height;
     kind = new byte[count];
     surroundings = new byte[count];
+    veiled = new boolean[count];
     random = new boolean[count];
     checked = new boolean[count];
     middleAsCorner = new boolean[count];

@@ -52,7 +52,11 @@ final class FirstLook {
         seen.length,
         (refiner, i) -> {
           int pixel = pixels.get(i);
-          seen[i] = refiner.aim.look(pixel % film.width, pixel / film.width, glimpses.get(pixel));
+          boolean busy = film.kind[pixel] == Film.BUSY && !film.random[pixel];
+          double around = busy || film.veiled[pixel] ? film.contrast[pixel] : 0;
+          int x = pixel % film.width;
+          int y = pixel / film.width;
+          seen[i] = refiner.aim.look(x, y, glimpses.get(pixel), around);
         });
     for (int i = 0; i < seen.length; i++) {
       if (seen[i] != null) {

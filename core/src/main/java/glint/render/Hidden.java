@@ -8,8 +8,10 @@ import java.util.Arrays;
  */
 final class Hidden {
 
-  /** Kinds times surroundings. */
-  private static final int GROUPS = 32;
+  /** Kinds times surroundings, where smooth pixels in several shadows are one kind more. */
+  private static final int GROUPS = 48;
+
+  private static final int VEILED = 32;
 
   /** The area, as a share of the pixel, of a typical thing that a model knows nothing of. */
   private static final double AREA = 0.15;
@@ -36,7 +38,7 @@ final class Hidden {
 
   /** Returns the kind and surroundings of an unsampled pixel that has a model. */
   int group(int pixel) {
-    return 16 * film.kind[pixel] + film.surroundings[pixel];
+    return (film.veiled[pixel] ? VEILED : 16 * film.kind[pixel]) + film.surroundings[pixel];
   }
 
   /**
@@ -86,11 +88,13 @@ final class Hidden {
 
   /**
    * Returns what is left of that in a sampled pixel. What is hidden in an area a of the pixel
-   * escapes n even samples while na is below one, and hardly ever after that.
+   * escapes n even samples while na is below one, and hardly ever after that. Light between shadows
+   * falls on areas of any size: it is those of about 1/n, and squares of them, that are left.
    */
   double escaped(int pixel) {
     double found = film.samples(pixel) * AREA;
-    return variance(pixel) / (1 + found * found * found * found);
+    double squared = found * found;
+    return variance(pixel) / (1 + (film.veiled[pixel] ? squared : squared * squared));
   }
 
   /** Returns the contrast around a pixel, in levels², which is never nothing. */

@@ -9,6 +9,7 @@ import glint.scene.View;
 import glint.trace.RayCounts;
 import glint.trace.Recorder;
 import glint.trace.Tracer;
+import glint.trace.Veil;
 
 /** Traces rays through places of the image; one per thread. */
 final class Probe {
@@ -73,6 +74,14 @@ final class Probe {
   boolean trace(double x, double y) {
     numbers.centre();
     return traceSample(x, y);
+  }
+
+  /** Does the same, and finds out about shadows there. */
+  boolean traceWatching(double x, double y) {
+    tracer.watchesShadows = true;
+    boolean finite = trace(x, y);
+    tracer.watchesShadows = false;
+    return finite;
   }
 
   /** Turns to a pixel, whose samples are traced next. */
@@ -167,6 +176,18 @@ final class Probe {
   /** Returns what the last ray met first, as in {@link Tracer#first}. */
   int first() {
     return tracer.first;
+  }
+
+  /** Returns what casts shadows on what the last ray met, as in {@link Veil#casters}. */
+  long casters() {
+    return tracer.veil.casters();
+  }
+
+  /** Returns by how much shadows darken what the last ray met: the square, in levels². */
+  double kept(LevelScale scale) {
+    double sum = scale.squaredDifference(tracer.r + tracer.veil.r, tracer.r);
+    sum += scale.squaredDifference(tracer.g + tracer.veil.g, tracer.g);
+    return (sum + scale.squaredDifference(tracer.b + tracer.veil.b, tracer.b)) / 3;
   }
 
   /** Returns how places in the image and points in the world belong together. */

@@ -26,13 +26,21 @@ import java.util.TreeMap;
  */
 final class SmallThings {
 
-  /** A surface that may be seen in a part of a pixel. */
-  record Glimpse(int surface, ConvexPolygon part) {}
+  /**
+   * What may be seen in a part of a pixel.
+   *
+   * @param surface its number
+   * @param shadow whether it is the shadow of that surface that may be seen
+   */
+  record Glimpse(int surface, boolean shadow, ConvexPolygon part) {}
 
   /**
    * A surface at least as wide as this, in pixels, covers a corner of most pixels that it meets.
    */
   private static final double THIN = 1;
+
+  /** Shadows that are wider, in pixels, are not looked at: their corners may be anywhere. */
+  private static final double NARROW = 2;
 
   /** Less of a pixel is nothing. */
   private static final double LEAST_AREA = 1e-6;
@@ -46,6 +54,7 @@ final class SmallThings {
   private final int width;
   private final int height;
   private final Silhouette silhouette;
+  private final CastShadow shadow;
   private final ConvexPolygon whole;
   private final ConvexPolygon inImage = new ConvexPolygon();
   private final ConvexPolygon band = new ConvexPolygon();
@@ -63,6 +72,7 @@ final class SmallThings {
     this.corners = corners;
     silhouette = new Silhouette(view);
     whole = silhouette.whole;
+    shadow = new CastShadow(scene, view.eye());
     width = corners.stride - 1;
     height = corners.rows - 1;
   }
@@ -78,6 +88,7 @@ final class SmallThings {
         mesh(mesh, p, surface);
       } else {
         convex(p.surface(), p.toWorld(), surface);
+        shadows(p, surface);
       }
       surface += p.materials().size();
     }
@@ -93,7 +104,26 @@ final class SmallThings {
     List<Vector3d> outline = Outline.of(shape, toWorld, view.eye());
     if (!outline.isEmpty()) {
       silhouette.project(outline);
-      look(surface, false);
+      look(surface, false, false);
+    }
+  }
+
+  /** Looks for the shadows of a convex surface. */
+  private void shadows(Placement p, int surface) {
+    if (!scene.plan().shadows().used()) {
+      return;
+    }
+    for (int light = 0; light < scene.lights().count(); light++) {
+      if (scene.lights().shape(light) == null) {
+        List<Vector3d> outline = shadow.of(p, surface, light);
+        if (!outline.isEmpty()) {
+          silhouette.project(outline);
+          whole.close();
+          if (whole.width() < NARROW) {
+            look(surface, false, true);
+          }
+        }
+      }
     }
   }
 
@@ -116,12 +146,12 @@ final class SmallThings {
         places[j + 2] = m[8] * x + m[9] * y + m[10] * z + m[11];
       }
       silhouette.project(places);
-      look(p.materials().size() > 1 ? first + mesh.part(i) : first, true);
+      look(p.materials().size() > 1 ? first + mesh.part(i) : first, true, false);
     }
   }
 
   /** Notes the pixels that may show too little of a surface whose outline was found. */
-  private void look(int surface, boolean ofMesh) {
+  private void look(int surface, boolean ofMesh, boolean ofShadow) {
     if (ofMesh && isPlain(surface)) {
       return;
     }
@@ -147,7 +177,7 @@ final class SmallThings {
         if (covered >= x) {
           x = covered;
         } else if (!ofMesh || (thin ? isSparse(x, y, surface) : seen(x, y, surface) == 0)) {
-          note(x, y, surface);
+          note(x, y, surface, ofShadow);
         }
       }
     }
@@ -201,7 +231,7 @@ final class SmallThings {
   }
 
   /** Adds a part of a pixel to what may be seen of a surface there. */
-  private void note(int x, int y, int surface) {
+  private void note(int x, int y, int surface, boolean ofShadow) {
     ConvexPolygon part = new ConvexPolygon();
     part.clip(band, x, y, x + 1, y + 1);
     if (part.area() < LEAST_AREA) {
@@ -209,12 +239,12 @@ final class SmallThings {
     }
     List<Glimpse> here = glimpses.computeIfAbsent(y * width + x, k -> new ArrayList<>(1));
     for (Glimpse each : here) {
-      if (each.surface() == surface) {
+      if (each.surface() == surface && each.shadow() == ofShadow) {
         each.part().add(part);
         each.part().close();
         return;
       }
     }
-    here.add(new Glimpse(surface, part));
+    here.add(new Glimpse(surface, ofShadow, part));
   }
 }

@@ -43,6 +43,11 @@ final class Survey {
     if (detailed || film.random[pixel]) {
       film.kind[pixel] = Film.BUSY;
     }
+    float between = crossings == 0 ? corners.lightBetweenShadows(x, y) : 0;
+    if (between > 0) {
+      film.veiled[pixel] = film.kind[pixel] == Film.SMOOTH;
+      film.contrast[pixel] = Math.max(film.contrast[pixel], between);
+    }
   }
 
   /** Counts the edges around the pixels of a row, from one up to another. */

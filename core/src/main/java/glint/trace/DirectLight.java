@@ -27,6 +27,10 @@ final class DirectLight {
   private final RayCounts counts;
   private final Signature signature;
   private final Ray shadowRay = new Ray();
+
+  /** Where that ends: just before the light. */
+  private double end;
+
   private final Hit blocker = new Hit();
 
   /** For each light the slot of what was in its way to the last point, or -1. */
@@ -44,6 +48,9 @@ final class DirectLight {
 
   double g;
   double b;
+
+  /** Is told of shadows; null unless somebody asks. */
+  Veil veil;
 
   /** What the surface's texture multiplies its colour by. */
   private final Texel pattern = new Texel();
@@ -121,6 +128,9 @@ final class DirectLight {
     }
     if (!reaches(i, hit, around)) {
       tell(i, Fate.SHADOWED, cos, 0, 0, 0);
+      if (veil != null) {
+        veil.add(i, caster(), light, material, pattern, cos);
+      }
       return;
     }
     Rgb diffuse = material.diffuse();
@@ -153,7 +163,7 @@ final class DirectLight {
       return true;
     }
     counts.shadow++;
-    double end = lights.shadowRay(i, light, hit, shadowRay);
+    end = lights.shadowRay(i, light, hit, shadowRay);
     if (!plan.refraction().used()) {
       int slot = intersector.blocker(shadowRay, end, blockers[i], blocker);
       if (recorder == null) {
@@ -165,11 +175,21 @@ final class DirectLight {
       return slot < 0;
     }
     interior.copy(around);
-    return passes(end);
+    return walk();
+  }
+
+  /** Returns what the way to the light meets first of what keeps it from passing. */
+  private int caster() {
+    if (plan.refraction().used()) {
+      return boundary.surface;
+    }
+    intersector.closest(shadowRay, end, blocker);
+    intersector.resolve(shadowRay, blocker);
+    return blocker.surface;
   }
 
   /** Walks through everything transparent, straight on, until something is opaque. */
-  private boolean passes(double end) {
+  private boolean walk() {
     double dx = shadowRay.dx;
     double dy = shadowRay.dy;
     double dz = shadowRay.dz;

@@ -80,6 +80,12 @@ public final class Tracer {
   /** What the last camera ray met first: the number of a surface, {@link #lamp}, or -1. */
   public int first;
 
+  /** Whether the next calls of {@link #trace} find out about {@link #veil}. */
+  public boolean watchesShadows;
+
+  /** What shadows keep from where the last camera ray ends, if that was to be found out. */
+  public final Veil veil = new Veil();
+
   /** Makes a tracer that tells nobody. */
   public Tracer(Prepared scene, int maxDepth, double negligible) {
     this(scene, maxDepth, negligible, null);
@@ -156,6 +162,7 @@ public final class Tracer {
     cut = 0;
     first = -1;
     signature.clear();
+    veil.clear();
     counts.camera++;
     Frame f = frame(0);
     f.ray.copy(ray);
@@ -201,6 +208,7 @@ public final class Tracer {
       signature.add(hit, boundary.surface);
       first = level + depth == 0 ? boundary.surface : first;
       Material material = scene.material(boundary.surface);
+      direct.veil = watchesShadows && level + depth == 0 ? veil : null;
       direct.find(boundary.surface, hit, f.ray, f.interior, numbers, f.path);
       add(f, direct.r, direct.g, direct.b);
       if (boundary.opaque && !plan.mirrors().used()) {
