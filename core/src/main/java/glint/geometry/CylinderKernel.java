@@ -54,6 +54,9 @@ final class CylinderKernel {
   }
 
   static void intersect(double[] data, int at, Ray ray, Hit hit, int id) {
+    if (CylinderMiss.isCertain(data, at, ray)) {
+      return;
+    }
     double fx = ray.ox - data[at];
     double fy = ray.oy - data[at + 1];
     double fz = ray.oz - data[at + 2];
