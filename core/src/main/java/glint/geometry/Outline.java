@@ -13,6 +13,19 @@ public final class Outline {
 
   private static final double WIDER = 1 / StrictMath.cos(StrictMath.PI / AROUND);
 
+  /** Where they are on a circle of radius 1. */
+  private static final double[] COS = new double[AROUND];
+
+  private static final double[] SIN = new double[AROUND];
+
+  static {
+    for (int i = 0; i < AROUND; i++) {
+      double angle = StrictMath.PI * (2 * i + 1) / AROUND;
+      COS[i] = StrictMath.cos(angle);
+      SIN[i] = StrictMath.sin(angle);
+    }
+  }
+
   private Outline() {}
 
   /**
@@ -77,9 +90,8 @@ public final class Outline {
     Vector3d u = (to.maxAbs() > 0 ? to : any).normalized();
     Vector3d v = n.cross(u);
     for (int i = 0; i < AROUND; i++) {
-      double angle = StrictMath.PI * (2 * i + 1) / AROUND;
-      double x = WIDER * radius * StrictMath.cos(angle);
-      double y = WIDER * radius * StrictMath.sin(angle);
+      double x = WIDER * radius * COS[i];
+      double y = WIDER * radius * SIN[i];
       points.add(middle.plus(u.times(x)).plus(v.times(y)));
     }
   }

@@ -33,12 +33,12 @@ final class Aim {
    *
    * @param around a variance that is to be expected of the rest of the pixel, in levels²
    */
-  Focus look(int x, int y, List<SmallThings.Glimpse> glimpses, double around) {
+  Focus look(int x, int y, List<Glimpses.Glimpse> glimpses, double around) {
     around(x, y, glimpses);
     contrast = Math.max(contrast, around);
     ConvexPolygon first = new ConvexPolygon();
     ConvexPolygon second = new ConvexPolygon();
-    for (SmallThings.Glimpse each : glimpses) {
+    for (Glimpses.Glimpse each : glimpses) {
       if (isSeen(x, y, each)) {
         fill(each.part().area());
         ConvexPolygon part = first.isEmpty() ? first : second;
@@ -52,7 +52,7 @@ final class Aim {
         : null;
   }
 
-  private boolean isSeen(int x, int y, SmallThings.Glimpse glimpse) {
+  private boolean isSeen(int x, int y, Glimpses.Glimpse glimpse) {
     ConvexPolygon part = glimpse.part();
     for (int i = 0; i < RAYS; i++) {
       part.pick((i + 0.5) / RAYS, (0.5 + 3 * i) / RAYS % 1);
@@ -90,7 +90,7 @@ final class Aim {
   }
 
   /** Begins with the mean of the corners of a pixel where nothing small is; of all if there is. */
-  private void around(int x, int y, List<SmallThings.Glimpse> glimpses) {
+  private void around(int x, int y, List<Glimpses.Glimpse> glimpses) {
     Arrays.fill(guess, 0);
     double[] squares = new double[3];
     double[] levels = new double[3];

@@ -42,18 +42,22 @@ final class CastShadow {
    * @param light the number of a light without an area
    */
   List<Vector3d> of(Placement p, int surface, int light) {
-    List<Vector3d> seen = Outline.of(p.surface(), p.toWorld(), eye);
-    if (seen.isEmpty()) {
-      return List.of();
+    Vector3d way = lights.way(light, eye);
+    boolean far = lights.isFar(light);
+    List<Vector3d> outline = Outline.of(p.surface(), p.toWorld(), far ? eye : eye.minus(way));
+    if (!outline.isEmpty() && far) {
+      Vector3d middle = middle(outline);
+      double size = outline.get(0).minus(middle).maxAbs();
+      outline = Outline.of(p.surface(), p.toWorld(), middle.minus(way.times(FAR * size)));
     }
-    Vector3d middle = middle(seen);
-    Vector3d way = lights.way(light, middle);
-    double size = seen.get(0).minus(middle).maxAbs();
-    Vector3d from = lights.isFar(light) ? middle.minus(way.times(FAR * size)) : middle.minus(way);
-    List<Vector3d> outline = Outline.of(p.surface(), p.toWorld(), from);
     return outline.isEmpty() || !falls(middle(outline), surface, light)
         ? List.of()
         : onto(outline, light);
+  }
+
+  /** Returns the number of the surface that the last shadow found falls onto. */
+  int fallsOnto() {
+    return hit.surface;
   }
 
   private static Vector3d middle(List<Vector3d> points) {

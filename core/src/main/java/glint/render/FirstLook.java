@@ -45,7 +45,7 @@ final class FirstLook {
 
   /** Looks for things that are too small or thin for the rays through corners. */
   private void aim() throws InterruptedException {
-    Map<Integer, List<SmallThings.Glimpse>> glimpses = small.find();
+    Map<Integer, List<Glimpses.Glimpse>> glimpses = small.find();
     List<Integer> pixels = List.copyOf(glimpses.keySet());
     Focus[] seen = new Focus[pixels.size()];
     crew.runInBatches(

@@ -9,10 +9,8 @@ import glint.scene.Placement;
 import glint.scene.Prepared;
 import glint.scene.View;
 import glint.trace.Tracer;
-import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
-import java.util.TreeMap;
 
 /**
  * Finds by projection where things may be seen that are too small or too thin for the rays through
@@ -26,24 +24,8 @@ import java.util.TreeMap;
  */
 final class SmallThings {
 
-  /**
-   * What may be seen in a part of a pixel.
-   *
-   * @param surface its number
-   * @param shadow whether it is the shadow of that surface that may be seen
-   */
-  record Glimpse(int surface, boolean shadow, ConvexPolygon part) {}
-
-  /**
-   * A surface at least as wide as this, in pixels, covers a corner of most pixels that it meets.
-   */
-  private static final double THIN = 1;
-
   /** Shadows that are wider, in pixels, are not looked at: their corners may be anywhere. */
   private static final double NARROW = 2;
-
-  /** Less of a pixel is nothing. */
-  private static final double LEAST_AREA = 1e-6;
 
   /** The most triangles of meshes that are looked at. */
   private static final int MOST_TRIANGLES = 1 << 22;
@@ -56,14 +38,7 @@ final class SmallThings {
   private final Silhouette silhouette;
   private final CastShadow shadow;
   private final ConvexPolygon whole;
-  private final ConvexPolygon inImage = new ConvexPolygon();
-  private final ConvexPolygon band = new ConvexPolygon();
-  private final double[] above = new double[2];
-  private final double[] below = new double[2];
-
-  /** By pixel, what may be seen there. */
-  private final Map<Integer, List<Glimpse>> glimpses = new TreeMap<>();
-
+  private final Glimpses glimpses;
   private int triangles;
 
   SmallThings(Prepared scene, View view, CornerGrid corners) {
@@ -75,10 +50,11 @@ final class SmallThings {
     shadow = new CastShadow(scene, view.eye());
     width = corners.stride - 1;
     height = corners.rows - 1;
+    glimpses = new Glimpses(width, height);
   }
 
   /** Returns by pixel, in row order, what may be seen there; nothing is small behind a lens. */
-  Map<Integer, List<Glimpse>> find() {
+  Map<Integer, List<Glimpses.Glimpse>> find() {
     if (!view.isSharp()) {
       return Map.of();
     }
@@ -97,14 +73,15 @@ final class SmallThings {
         convex(scene.lights().shape(i), Transform.IDENTITY, Tracer.lamp(i));
       }
     }
-    return glimpses;
+    return glimpses.byPixel();
   }
 
   private void convex(Surface shape, Transform toWorld, int surface) {
     List<Vector3d> outline = Outline.of(shape, toWorld, view.eye());
     if (!outline.isEmpty()) {
       silhouette.project(outline);
-      look(surface, false, false);
+      whole.close();
+      glimpses.add(whole, surface, false, (x, y) -> true);
     }
   }
 
@@ -120,7 +97,8 @@ final class SmallThings {
           silhouette.project(outline);
           whole.close();
           if (whole.width() < NARROW) {
-            look(surface, false, true);
+            int onto = shadow.fallsOnto();
+            glimpses.add(whole, surface, true, (x, y) -> seen(x, y, onto) > 0);
           }
         }
       }
@@ -146,39 +124,15 @@ final class SmallThings {
         places[j + 2] = m[8] * x + m[9] * y + m[10] * z + m[11];
       }
       silhouette.project(places);
-      look(p.materials().size() > 1 ? first + mesh.part(i) : first, true, false);
-    }
-  }
-
-  /** Notes the pixels that may show too little of a surface whose outline was found. */
-  private void look(int surface, boolean ofMesh, boolean ofShadow) {
-    if (ofMesh && isPlain(surface)) {
-      return;
-    }
-    whole.close();
-    inImage.clip(whole, 0, 0, width, height);
-    if (inImage.isEmpty()) {
-      return;
-    }
-    boolean thin = whole.width() < THIN;
-    int top = (int) inImage.least(true);
-    int bottom = Math.min(height - 1, (int) inImage.greatest(true));
-    for (int y = top; y <= bottom; y++) {
-      band.clip(inImage, 0, y, width, y + 1);
-      if (band.isEmpty()) {
-        continue;
-      }
-      inImage.span(y, above);
-      inImage.span(y + 1, below);
-      int left = (int) band.least(false);
-      int right = Math.min(width - 1, (int) band.greatest(false));
-      for (int x = left; x <= right; x++) {
-        int covered = thin ? -1 : Math.max(coveredUpTo(x, above), coveredUpTo(x, below));
-        if (covered >= x) {
-          x = covered;
-        } else if (!ofMesh || (thin ? isSparse(x, y, surface) : seen(x, y, surface) == 0)) {
-          note(x, y, surface, ofShadow);
-        }
+      int surface = p.materials().size() > 1 ? first + mesh.part(i) : first;
+      if (!isPlain(surface)) {
+        whole.close();
+        boolean thin = whole.width() < Glimpses.THIN;
+        glimpses.add(
+            whole,
+            surface,
+            false,
+            (x, y) -> thin ? isSparse(x, y, surface) : seen(x, y, surface) == 0);
       }
     }
   }
@@ -191,16 +145,6 @@ final class SmallThings {
       return false;
     }
     return x < 0 || y < 0 || x >= width || y >= height || !isSparse(x, y, surface);
-  }
-
-  /**
-   * Returns the last pixel of a row up to which all have a corner on a covered part of the row's
-   * upper or lower line, from one on; less if that one has none.
-   */
-  private static int coveredUpTo(int x, double[] span) {
-    boolean left = span[0] <= x && x <= span[1];
-    boolean right = span[0] <= x + 1 && x + 1 <= span[1];
-    return left || right ? (int) Math.floor(span[1]) : -1;
   }
 
   /** Returns whether no corner of a pixel sees a surface, or some do but all of none around. */
@@ -228,23 +172,5 @@ final class SmallThings {
     count += first[a + 1] == surface ? 1 : 0;
     count += first[c] == surface ? 1 : 0;
     return count + (first[c + 1] == surface ? 1 : 0);
-  }
-
-  /** Adds a part of a pixel to what may be seen of a surface there. */
-  private void note(int x, int y, int surface, boolean ofShadow) {
-    ConvexPolygon part = new ConvexPolygon();
-    part.clip(band, x, y, x + 1, y + 1);
-    if (part.area() < LEAST_AREA) {
-      return;
-    }
-    List<Glimpse> here = glimpses.computeIfAbsent(y * width + x, k -> new ArrayList<>(1));
-    for (Glimpse each : here) {
-      if (each.surface() == surface && each.shadow() == ofShadow) {
-        each.part().add(part);
-        each.part().close();
-        return;
-      }
-    }
-    here.add(new Glimpse(surface, ofShadow, part));
   }
 }
