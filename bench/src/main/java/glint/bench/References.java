@@ -56,7 +56,7 @@ final class References {
   /** Returns what a picture of a scene is called. */
   static String key(Prepared scene, RenderSettings settings) {
     RenderSettings single = settings.sampled(1, 0);
-    String hash = new Renderer(scene, single).render(Progress.NONE).statistics().sha256();
+    String hash = new Renderer(scene, single).render(Progress.NONE).image().sha256();
     return String.format(
         "%s-%dx%d-%s",
         scene.scene().name(), settings.width(), settings.height(), hash.substring(0, DIGITS));

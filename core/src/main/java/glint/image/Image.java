@@ -1,6 +1,9 @@
 package glint.image;
 
 import glint.color.Transfer;
+import java.nio.ByteBuffer;
+import java.security.MessageDigest;
+import java.security.NoSuchAlgorithmException;
 
 /**
  * A picture in linear light: {@code width × height} RGB doubles, row by row from the top.
@@ -63,5 +66,26 @@ public final class Image {
       argb[i] = 0xff000000 | r << 16 | g << 8 | b;
     }
     return argb;
+  }
+
+  /** Returns the SHA-256 of the linear values as doubles, big-endian, in row order, in hex. */
+  public String sha256() {
+    MessageDigest digest;
+    try {
+      digest = MessageDigest.getInstance("SHA-256");
+    } catch (NoSuchAlgorithmException e) {
+      throw new IllegalStateException("every Java platform has SHA-256", e);
+    }
+    int row = 3 * width;
+    ByteBuffer bytes = ByteBuffer.allocate(8 * row);
+    for (int y = 0; y < height; y++) {
+      bytes.asDoubleBuffer().put(rgb, y * row, row);
+      digest.update(bytes.array());
+    }
+    StringBuilder hex = new StringBuilder();
+    for (byte b : digest.digest()) {
+      hex.append(Character.forDigit(b >> 4 & 15, 16)).append(Character.forDigit(b & 15, 16));
+    }
+    return hex.toString();
   }
 }

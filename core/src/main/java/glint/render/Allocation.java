@@ -110,13 +110,14 @@ final class Allocation {
    * @return the sum that will hardly be exceeded, in levels²
    */
   double total() {
-    total = quiet;
+    double sum = quiet;
     double squares = quietSquares;
     for (int pixel : active) {
       double variance = model.variance(pixel);
-      total += variance;
+      sum += variance;
       squares += variance * variance;
     }
+    total = sum;
     margin = total > 0 ? 1 + 2 * Math.sqrt(2 * squares) / total : 1;
     return margin * total;
   }

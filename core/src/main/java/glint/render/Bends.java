@@ -8,6 +8,9 @@ final class Bends {
   /** A step counts as so many bends: 12/√12. */
   private static final double STEP = 2 * Math.sqrt(3);
 
+  private static final double TWENTY_FOURTH = 1 / 24.0;
+  private static final double THIRD = 1 / 3.0;
+
   private final CornerGrid corners;
   private final LevelScale scale;
 
@@ -46,7 +49,7 @@ final class Bends {
       double bend = pixel[i] + pixel[i + 3] + pixel[i + 6] + pixel[i + 9];
       sum += squaredError(bend, x, y, i, image);
     }
-    return sum / 3;
+    return THIRD * sum;
   }
 
   /** Turns to a row of pixels. */
@@ -78,7 +81,7 @@ final class Bends {
       double bend = above[i] + below[i] + down[i] + down[i + 3];
       sum += squaredError(bend, x, row, i - 3 * x, image);
     }
-    return sum / 3;
+    return THIRD * sum;
   }
 
   private double squaredError(double bend, int x, int y, int channel, Image image) {
@@ -86,7 +89,7 @@ final class Bends {
       return 0;
     }
     double mean = image.rgb()[3 * (y * image.width() + x) + channel];
-    return scale.squaredError(mean, bend / 24);
+    return scale.squaredError(mean, TWENTY_FOURTH * bend);
   }
 
   /**

@@ -1,7 +1,6 @@
 package glint.render;
 
 import glint.image.Image;
-import java.util.Arrays;
 
 /**
  * One sample at every corner of every pixel, shared by the up to four pixels that meet there.
@@ -166,29 +165,48 @@ final class CornerGrid {
     int channels = 3 * stride;
     int first = Math.max(0, y - 1);
     int last = Math.min(rows - 1, y + 2);
-    Arrays.fill(scratch, 0);
-    for (int row = first; row <= last; row++) {
-      for (int i = 0, from = row * channels; i < channels; i++) {
-        double level = levels[from + i];
-        scratch[i] += level;
-        scratch[channels + i] += level * level;
+    for (int i = 0; i < channels; i++) {
+      double sum = 0;
+      double squares = 0;
+      for (int at = first * channels + i; at <= last * channels + i; at += channels) {
+        double level = levels[at];
+        sum += level;
+        squares += level * level;
       }
+      scratch[2 * i] = sum;
+      scratch[2 * i + 1] = squares;
     }
     for (int x = 0; x < stride - 1; x++) {
       int left = Math.max(0, x - 1);
       int right = Math.min(stride - 1, x + 2);
       int count = (right - left + 1) * (last - first + 1);
-      double variance = 0;
-      for (int channel = 0; channel < 3; channel++) {
-        double sum = 0;
-        double squares = 0;
-        for (int i = 3 * left + channel; i <= 3 * right + channel; i += 3) {
-          sum += scratch[i];
-          squares += scratch[channels + i];
-        }
-        variance += Math.max(0, squares / count - sum / count * (sum / count));
+      double r = 0;
+      double g = 0;
+      double b = 0;
+      double r2 = 0;
+      double g2 = 0;
+      double b2 = 0;
+      for (int i = 6 * left; i <= 6 * right; i += 6) {
+        r += scratch[i];
+        r2 += scratch[i + 1];
+        g += scratch[i + 2];
+        g2 += scratch[i + 3];
+        b += scratch[i + 4];
+        b2 += scratch[i + 5];
       }
+      double variance = variance(r, r2, count) + variance(g, g2, count) + variance(b, b2, count);
       out[y * (stride - 1) + x] = (float) (variance / 3);
     }
+  }
+
+  private static double variance(double sum, double squares, int count) {
+    double mean = over(sum, count);
+    double variance = over(squares, count) - mean * mean;
+    return variance > 0 ? variance : 0;
+  }
+
+  /** Divides by a count of corners; by most without a division, which comes to the same. */
+  private static double over(double sum, int count) {
+    return count == 16 ? sum * 0x1p-4 : sum / count;
   }
 }

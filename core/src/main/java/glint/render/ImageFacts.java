@@ -2,9 +2,6 @@ package glint.render;
 
 import glint.color.Transfer;
 import glint.image.Image;
-import java.nio.ByteBuffer;
-import java.security.MessageDigest;
-import java.security.NoSuchAlgorithmException;
 
 /** Figures of a finished image that need every pixel. */
 final class ImageFacts {
@@ -47,26 +44,5 @@ final class ImageFacts {
       }
     }
     return Math.sqrt(sum / rgb.length);
-  }
-
-  /** Returns the SHA-256 of the image's doubles, big-endian, in row order, in hex. */
-  static String sha256(Image image) {
-    MessageDigest digest;
-    try {
-      digest = MessageDigest.getInstance("SHA-256");
-    } catch (NoSuchAlgorithmException e) {
-      throw new IllegalStateException("every Java platform has SHA-256", e);
-    }
-    int row = 3 * image.width();
-    ByteBuffer bytes = ByteBuffer.allocate(8 * row);
-    for (int y = 0; y < image.height(); y++) {
-      bytes.asDoubleBuffer().put(image.rgb(), y * row, row);
-      digest.update(bytes.array());
-    }
-    StringBuilder hex = new StringBuilder();
-    for (byte b : digest.digest()) {
-      hex.append(Character.forDigit(b >> 4 & 15, 16)).append(Character.forDigit(b & 15, 16));
-    }
-    return hex.toString();
   }
 }

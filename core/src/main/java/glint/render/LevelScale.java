@@ -49,7 +49,7 @@ final class LevelScale {
     if (!(linear > 0)) {
       return 0;
     }
-    double place = STEPS * Math.sqrt(Math.min(linear, 1));
+    double place = STEPS * Math.sqrt(linear < 1 ? linear : 1);
     int i = (int) place;
     return levels[i] + (place - i) * (levels[i + 1] - levels[i]);
   }

@@ -118,7 +118,6 @@ public final class Renderer {
         ImageFacts.clipped(image),
         traced.samplingError(),
         ImageFacts.truncation(image, traced.cut(), scene.scene().transfer()),
-        seconds,
-        ImageFacts.sha256(image));
+        seconds);
   }
 }

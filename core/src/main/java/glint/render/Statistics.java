@@ -17,7 +17,6 @@ import glint.trace.RayCounts;
  * @param samplingError the estimate of the image's RMS error by sampling, in display levels
  * @param truncation a bound on the image's RMS error by bounces not followed, in display levels
  * @param renderSeconds wall time of tracing alone
- * @param sha256 hash of the linear image: its doubles, big-endian, in row order, in hex
  */
 public record Statistics(
     RayCounts rays,
@@ -31,5 +30,4 @@ public record Statistics(
     long clipped,
     double samplingError,
     double truncation,
-    double renderSeconds,
-    String sha256) {}
+    double renderSeconds) {}

@@ -6,23 +6,26 @@ final class Survey {
   /** A contrast, in levels², that is seen. */
   private static final double VISIBLE = 1;
 
+  /** More than nine pixels. */
+  private static final int MANY = 16;
+
+  /** What a pixel of each kind counts, so that one sum holds the split ones and the busy ones. */
+  private static final int[] EDGES = {0, 1, MANY};
+
   private final Film film;
   private final CornerGrid corners;
   private final Probe probe;
   private final double[] scratch;
 
-  /** How many of the up to three pixels of a column are of a kind; one column more on each side. */
-  private final int[] busy;
-
-  private final int[] splits;
+  /** The sum over the up to three pixels of a column; one column more on each side. */
+  private final int[] edges;
 
   Survey(Film film, CornerGrid corners, Probe probe) {
     this.film = film;
     this.corners = corners;
     this.probe = probe;
     scratch = new double[6 * corners.stride];
-    busy = new int[film.width + 2];
-    splits = new int[film.width + 2];
+    edges = new int[film.width + 2];
   }
 
   /** Decides what kind the pixels of a row are by their corners. */
@@ -55,19 +58,17 @@ final class Survey {
     int first = Math.max(0, y - 1) * film.width;
     int last = Math.min(film.height - 1, y + 1) * film.width;
     for (int x = Math.max(0, begin - 1); x < Math.min(film.width, end + 1); x++) {
-      busy[x + 1] = 0;
-      splits[x + 1] = 0;
+      edges[x + 1] = 0;
       for (int pixel = first + x; pixel <= last + x; pixel += film.width) {
-        busy[x + 1] += film.kind[pixel] == Film.BUSY ? 1 : 0;
-        splits[x + 1] += film.kind[pixel] == Film.SPLIT ? 1 : 0;
+        edges[x + 1] += EDGES[film.kind[pixel]];
       }
     }
     for (int x = begin; x < end; x++) {
       int pixel = y * film.width + x;
-      int own = film.kind[pixel] == Film.SPLIT ? 1 : 0;
-      int busyAround = busy[x] + busy[x + 1] + busy[x + 2];
-      int splitsAround = splits[x] + splits[x + 1] + splits[x + 2] - own;
-      film.surroundings[pixel] = (byte) (4 * grade(busyAround) + grade(splitsAround));
+      int own = film.kind[pixel] == Film.SPLIT ? EDGES[Film.SPLIT] : 0;
+      int around = edges[x] + edges[x + 1] + edges[x + 2] - own;
+      film.surroundings[pixel] =
+          (byte) (around == 0 ? 0 : 4 * grade(around / MANY) + grade(around % MANY));
     }
   }
 

@@ -50,8 +50,11 @@ final class Tiles {
 
   /** Visits the pixels of a tile row by row. */
   void forEach(int tile, Visitor visitor) {
-    for (int y = beginY(tile); y < endY(tile); y++) {
-      for (int x = beginX(tile); x < endX(tile); x++) {
+    int left = beginX(tile);
+    int right = endX(tile);
+    int bottom = endY(tile);
+    for (int y = beginY(tile); y < bottom; y++) {
+      for (int x = left; x < right; x++) {
         visitor.visit(x, y);
       }
     }

@@ -133,7 +133,7 @@ class PartsTest {
   }
 
   private static String hash(Prepared scene) {
-    return render(scene).statistics().sha256();
+    return render(scene).image().sha256();
   }
 
   @Test

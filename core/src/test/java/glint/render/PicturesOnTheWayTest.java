@@ -85,9 +85,9 @@ class PicturesOnTheWayTest {
     assertArrayEquals(result.aovs().get(Aov.ERROR).rgb(), errors.get(last));
     assertArrayEquals(result.aovs().get(Aov.SAMPLES).rgb(), samples.get(last));
     assertTrue(Arrays.stream(samples.get(0)).sum() < Arrays.stream(samples.get(last)).sum());
-    Statistics without = renderer(45, 29).render(Progress.NONE).statistics();
-    assertEquals(without.sha256(), result.statistics().sha256());
-    assertEquals(without.rays().total(), result.statistics().rays().total());
+    RenderResult without = renderer(45, 29).render(Progress.NONE);
+    assertEquals(without.image().sha256(), result.image().sha256());
+    assertEquals(without.statistics().rays().total(), result.statistics().rays().total());
   }
 
   @Test
@@ -123,8 +123,8 @@ class PicturesOnTheWayTest {
     }
     assertFalse(render.isDone());
     renderer.resume();
-    String sha = render.get(30, TimeUnit.SECONDS).statistics().sha256();
-    assertEquals(renderer(96, 64).render(Progress.NONE).statistics().sha256(), sha);
+    String sha = render.get(30, TimeUnit.SECONDS).image().sha256();
+    assertEquals(renderer(96, 64).render(Progress.NONE).image().sha256(), sha);
   }
 
   @Test

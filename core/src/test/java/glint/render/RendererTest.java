@@ -202,7 +202,7 @@ class RendererTest {
   }
 
   private static String hash(Scene.Builder scene, RenderSettings settings) {
-    return render(Prepared.of(scene.build()), settings).statistics().sha256();
+    return render(Prepared.of(scene.build()), settings).image().sha256();
   }
 
   @ParameterizedTest
@@ -247,7 +247,7 @@ class RendererTest {
     scene.lights().forEach(other::light);
     reversed.forEach(other::place);
     RenderSettings one = settings(1, 2, 32);
-    assertEquals(render(Prepared.of(scene), one).statistics().sha256(), hash(other, one));
+    assertEquals(render(Prepared.of(scene), one).image().sha256(), hash(other, one));
   }
 
   @Test
@@ -264,8 +264,7 @@ class RendererTest {
             .build();
     RenderResult lean = render(Prepared.of(plain), settings(4, 2, 32));
     Prepared full = Prepared.of(plain, RenderPlan.everything());
-    assertEquals(
-        lean.statistics().sha256(), render(full, settings(4, 2, 32)).statistics().sha256());
+    assertEquals(lean.image().sha256(), render(full, settings(4, 2, 32)).image().sha256());
     assertTrue(Prepared.of(plain).plan().decisions().stream().noneMatch(d -> d.used()));
     assertEquals(0, lean.statistics().rays().shadow);
     assertEquals(0, lean.statistics().rays().reflection);

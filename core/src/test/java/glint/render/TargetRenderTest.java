@@ -49,9 +49,9 @@ class TargetRenderTest {
   @Test
   void threadsAndTilesDoNotChangeABit() {
     Scene scene = new RendererTest.World(1, false).scene().build();
-    String one = render(scene, 0.5, 3, 1, 7).statistics().sha256();
-    assertEquals(one, render(scene, 0.5, 3, 5, 32).statistics().sha256());
-    assertEquals(one, render(scene, 0.5, 3, 2, 1).statistics().sha256());
+    String one = render(scene, 0.5, 3, 1, 7).image().sha256();
+    assertEquals(one, render(scene, 0.5, 3, 5, 32).image().sha256());
+    assertEquals(one, render(scene, 0.5, 3, 2, 1).image().sha256());
   }
 
   /** Straight edges in every direction: the coverage of every pixel has a closed form. */

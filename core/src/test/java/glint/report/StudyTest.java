@@ -42,7 +42,7 @@ class StudyTest {
     rays.camera = n;
     rays.shadow = 2L * n + settings.seed() % 2;
     Statistics statistics =
-        new Statistics(rays, n, n, n, 1, 0, 0, -1, 0, Double.NaN, 0.03, PER_SAMPLE * n, "");
+        new Statistics(rays, n, n, n, 1, 0, 0, -1, 0, Double.NaN, 0.03, PER_SAMPLE * n);
     return new RenderResult(image, Map.of(), statistics);
   }
 

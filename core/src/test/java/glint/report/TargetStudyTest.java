@@ -45,7 +45,7 @@ class TargetStudyTest {
     double cut = 4.0 / (1 + rays.maxDepth);
     Statistics s =
         new Statistics(
-            rays, 1, 1.5, 2, 1, 0, 0, -1, 0, 0.75 * target, cut, 1e-3 * (1 + rays.maxDepth), "");
+            rays, 1, 1.5, 2, 1, 0, 0, -1, 0, 0.75 * target, cut, 1e-3 * (1 + rays.maxDepth));
     return new RenderResult(image, aovs, s);
   }
 

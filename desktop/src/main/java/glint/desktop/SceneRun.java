@@ -86,7 +86,8 @@ final class SceneRun {
   private SceneStats stats(RenderResult result, double build, double write) {
     double render = result.statistics().renderSeconds();
     SceneStats.Seconds seconds = new SceneStats.Seconds(job.loadSeconds(), build, render, write);
-    return SceneStats.of(job.scene().name(), settings, seconds, result.statistics());
+    return SceneStats.of(
+        job.scene().name(), settings, seconds, result.statistics(), result.image());
   }
 
   /** Writes the PNG last: its record vouches for the others. */

@@ -1,5 +1,6 @@
 package glint.desktop;
 
+import glint.image.Image;
 import glint.render.Goal;
 import glint.render.RenderSettings;
 import glint.render.Statistics;
@@ -73,7 +74,8 @@ record SceneStats(
   record Depth(int max) {}
 
   /** Returns the statistics of a scene that has just been rendered. */
-  static SceneStats of(String name, RenderSettings settings, Seconds seconds, Statistics s) {
+  static SceneStats of(
+      String name, RenderSettings settings, Seconds seconds, Statistics s, Image image) {
     RayCounts rays = s.rays();
     return new SceneStats(
         name,
@@ -89,7 +91,7 @@ record SceneStats(
         new Depth(rays.maxDepth),
         s.invalid(),
         s.clipped(),
-        s.sha256(),
+        image.sha256(),
         false);
   }
 

@@ -27,7 +27,7 @@ final class WindowImages implements ImageStore {
       if (file.toString().toLowerCase(Locale.ROOT).endsWith(".pfm")) {
         AtomicFile.write(file, path -> writePfm(image, path));
       } else {
-        String record = statistics.map(all -> record(picked, all)).orElse("unfinished");
+        String record = statistics.map(all -> record(picked, image, all)).orElse("unfinished");
         Transfer transfer = picked.scene().transfer();
         AtomicFile.write(file, path -> PngFile.write(image, transfer, record, path));
       }
@@ -52,12 +52,12 @@ final class WindowImages implements ImageStore {
   }
 
   /** Returns what vouches for an image of a whole render with the default options. */
-  private static String record(Picked picked, Statistics statistics) {
+  private static String record(Picked picked, Image image, Statistics statistics) {
     RenderSettings settings = RenderSettings.of(picked.scene());
     FileTime unknown = FileTime.fromMillis(0);
     Job job = new Job(picked.file(), unknown, picked.digest(), 0, picked.scene());
     SceneStats.Seconds seconds = new SceneStats.Seconds(0, 0, statistics.renderSeconds(), 0);
-    SceneStats stats = SceneStats.of(picked.scene().name(), settings, seconds, statistics);
+    SceneStats stats = SceneStats.of(picked.scene().name(), settings, seconds, statistics, image);
     String fingerprint = RunRecord.fingerprint(job, settings, RenderOptions.Format.PNG);
     return new RunRecord(fingerprint, Map.of(), stats).toJson();
   }

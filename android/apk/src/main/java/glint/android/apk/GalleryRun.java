@@ -63,7 +63,7 @@ public final class GalleryRun {
         RenderResult result = new Renderer(prepared, settings).render(Progress.NONE);
         double seconds = (system.getProcessCpuTime() - began) * 1e-9;
         System.out.printf(
-            Locale.ROOT, "%s %s %.3f%n", scene.name(), result.statistics().sha256(), seconds);
+            Locale.ROOT, "%s %s %.3f%n", scene.name(), result.image().sha256(), seconds);
       }
     }
   }
