@@ -159,6 +159,9 @@ final class Allocation {
    * @return the bin of the first of them, or 0
    */
   private int foresee(int pixel, double now, double nothing) {
+    if (!(now > nothing)) {
+      return 0;
+    }
     double variance = now;
     double searched = searches(pixel) ? film.own[pixel] - film.doubt[pixel] : 0;
     double samples = film.samples(pixel);

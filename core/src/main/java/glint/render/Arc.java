@@ -87,18 +87,14 @@ final class Arc {
     if (nextX < 0 || nextY < 0 || nextX >= corners.stride - 1 || nextY >= corners.rows - 1) {
       return 0;
     }
-    int from = which[end] ^ 1; // the same side, seen from the neighbour
-    int other = -1;
-    for (int side = 0; side < 4; side++) {
-      if (side != from && corners.differ(nextX, nextY, side)) {
-        if (other >= 0) {
-          return 0;
-        }
-        other = side;
-      }
+    int here = which[end] ^ 1; // the same side, seen from the neighbour
+    int others = corners.crossed(nextX, nextY) & ~(1 << here);
+    if (Integer.bitCount(others) != 1) {
+      return 0;
     }
-    int number = other < 0 ? -1 : brackets.sides.number(nextX, nextY, other);
-    if (other < 0 || brackets.steps(number) == Brackets.MIXED) {
+    int other = Integer.numberOfTrailingZeros(others);
+    int number = brackets.sides.number(nextX, nextY, other);
+    if (brackets.steps(number) == Brackets.MIXED) {
       return 0;
     }
     double along = brackets.middle(number);

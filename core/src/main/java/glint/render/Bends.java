@@ -14,6 +14,9 @@ final class Bends {
   private final CornerGrid corners;
   private final LevelScale scale;
 
+  /** Numbers of a row of corners. */
+  private final int channels;
+
   /** The bends of the sides of a pixel, or of a row of them: above, below, left and right. */
   private final double[] pixel = new double[12];
 
@@ -24,12 +27,24 @@ final class Bends {
   /** The row of pixels that those are of, or -1. */
   private int row = -1;
 
+  /** The second differences at a row of corners, from column to column. */
+  private final double[] across;
+
+  /** Those from row to row, at the corners above and below. */
+  private double[] downAbove;
+
+  private double[] downBelow;
+
   Bends(CornerGrid corners, LevelScale scale) {
     this.corners = corners;
     this.scale = scale;
-    above = new double[3 * corners.stride];
-    below = new double[3 * corners.stride];
-    down = new double[3 * corners.stride];
+    channels = 3 * corners.stride;
+    above = new double[channels];
+    below = new double[channels];
+    down = new double[channels];
+    across = new double[channels];
+    downAbove = new double[channels];
+    downBelow = new double[channels];
   }
 
   /**
@@ -39,6 +54,9 @@ final class Bends {
    * @param image where the mean of the pixel stands
    */
   double error(int x, int y, Image image) {
+    if (y == row) {
+      return errorInRow(x, image);
+    }
     int a = y * corners.stride + x;
     bend(a, 1, x, corners.stride, pixel, 0);
     bend(a + corners.stride, 1, x, corners.stride, pixel, 3);
@@ -52,30 +70,37 @@ final class Bends {
     return THIRD * sum;
   }
 
-  /** Turns to a row of pixels. */
+  /** Turns to a row of pixels, whose errors are found faster from then on. */
   void turn(int y) {
-    double[] known = above;
     if (y == row + 1 && row >= 0) {
+      double[] known = above;
       above = below;
       below = known;
+      known = downAbove;
+      downAbove = downBelow;
+      downBelow = known;
     } else {
       across(y, above);
+      differ(y, corners.stride, downAbove);
     }
     across(y + 1, below);
+    differ(y + 1, corners.stride, downBelow);
+    bend(downAbove, downBelow, 0, down);
     for (int x = 0; x < corners.stride; x++) {
-      bend(y * corners.stride + x, corners.stride, y, corners.rows, down, 3 * x);
+      correct(y * corners.stride + x, corners.stride, y, corners.rows, down, 3 * x);
     }
     row = y;
   }
 
   private void across(int y, double[] out) {
+    differ(y, 1, across);
+    bend(across, across, 3, out);
     for (int x = 0; x < corners.stride - 1; x++) {
-      bend(y * corners.stride + x, 1, x, corners.stride, out, 3 * x);
+      correct(y * corners.stride + x, 1, x, corners.stride, out, 3 * x);
     }
   }
 
-  /** Returns what {@link #error} does, of a pixel in the row turned to. */
-  double errorInRow(int x, Image image) {
+  private double errorInRow(int x, Image image) {
     double sum = 0;
     for (int i = 3 * x; i < 3 * x + 3; i++) {
       double bend = above[i] + below[i] + down[i] + down[i + 3];
@@ -90,6 +115,41 @@ final class Bends {
     }
     double mean = image.rgb()[3 * (y * image.width() + x) + channel];
     return scale.squaredError(mean, TWENTY_FOURTH * bend);
+  }
+
+  /** Finds the second differences at a row of corners that have others on both sides. */
+  private void differ(int y, int step, double[] out) {
+    double[] rgb = corners.rgb;
+    int from = y * channels;
+    int begin = Math.max(0, 3 * step - from);
+    int end = Math.min(channels, rgb.length - 3 * step - from);
+    for (int i = begin; i < end; i++) {
+      int at = from + i;
+      out[i] = rgb[at - 3 * step] - 2 * rgb[at] + rgb[at + 3 * step];
+    }
+  }
+
+  /** Finds the bends of sides whose ends, and the corners beyond, all show the same signature. */
+  private static void bend(double[] one, double[] two, int next, double[] out) {
+    for (int i = 0; i < out.length - next; i++) {
+      double first = one[i];
+      double last = two[i + next];
+      out[i] = 0.5 * (Math.abs(first + last) + STEP * Math.abs(first - last));
+    }
+  }
+
+  /** Finds the bend of a side anew if it is not as simple as that. */
+  private void correct(int corner, int step, int at, int count, double[] out, int index) {
+    long[] met = corners.signature;
+    boolean simple =
+        at > 0
+            && at + 2 < count
+            && met[corner - step] == met[corner]
+            && met[corner + step] == met[corner]
+            && met[corner + 2 * step] == met[corner];
+    if (!simple) {
+      bend(corner, step, at, count, out, index);
+    }
   }
 
   /**

@@ -113,11 +113,17 @@ final class CornerGrid {
             && Math.abs(image[2 * a + 1] - image[2 * b + 1]) <= LEAP);
   }
 
-  /** Returns whether the ends of a side of a pixel meet different things, as edges make them. */
-  boolean differ(int x, int y, int side) {
-    int a = y * stride + x + (side == 3 ? 1 : 0) + (side == 1 ? stride : 0);
-    int b = a + (side < 2 ? 1 : stride);
-    return signature[a] != signature[b];
+  /**
+   * Returns which sides of a pixel have ends that meet different things, as edges make them: bit 0
+   * for the top, 1 bottom, 2 left, 3 right.
+   */
+  int crossed(int x, int y) {
+    int a = y * stride + x;
+    int c = a + stride;
+    int crossed = signature[a] != signature[a + 1] ? 1 : 0;
+    crossed |= signature[c] != signature[c + 1] ? 2 : 0;
+    crossed |= signature[a] != signature[c] ? 4 : 0;
+    return crossed | (signature[a + 1] != signature[c + 1] ? 8 : 0);
   }
 
   /** Returns the mean radiance at the corners of a pixel, in one channel. */
@@ -129,10 +135,7 @@ final class CornerGrid {
 
   /** Returns how many sides of a pixel have ends that meet something different. */
   int crossings(int x, int y) {
-    int crossings = differ(x, y, 0) ? 1 : 0;
-    crossings += differ(x, y, 1) ? 1 : 0;
-    crossings += differ(x, y, 2) ? 1 : 0;
-    return crossings + (differ(x, y, 3) ? 1 : 0);
+    return Integer.bitCount(crossed(x, y));
   }
 
   /**

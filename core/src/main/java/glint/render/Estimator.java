@@ -30,13 +30,7 @@ final class Estimator {
   void estimateRow(int y) {
     bends.turn(y);
     for (int x = 0; x < film.width; x++) {
-      int pixel = y * film.width + x;
-      if (film.kind[pixel] == Film.SMOOTH && film.level[pixel] == 0) {
-        showCorners(x, y);
-        film.own[pixel] = (float) bends.errorInRow(x, film.image);
-      } else {
-        estimate(x, y);
-      }
+      estimate(x, y);
     }
   }
 
@@ -50,32 +44,41 @@ final class Estimator {
       if (film.random[pixel]) {
         noise.listen(x, y);
       }
-      return;
-    }
-    if (film.kind[pixel] == Film.SPLIT) {
-      if (split.look(x, y) && split.agrees(film.middleAsCorner[pixel])) {
-        film.image.set(x, y, split.mean(0), split.mean(1), split.mean(2));
-        film.doubt[pixel] = (float) (split.doubt(scale) + bends.error(x, y, film.image));
-        film.own[pixel] = (float) split.variance(scale) + film.doubt[pixel];
-        return;
-      }
+    } else if (film.kind[pixel] == Film.SMOOTH) {
+      showCorners(x, y);
+      film.own[pixel] = (float) bends.error(x, y, film.image);
+    } else if (film.kind[pixel] == Film.BUSY || !showParts(x, y)) {
       film.kind[pixel] = Film.BUSY;
+      showBusy(x, y);
     }
-    Focus focus = film.focus[pixel];
-    if (focus != null) {
-      film.image.set(x, y, focus.guess[0], focus.guess[1], focus.guess[2]);
-      film.own[pixel] = (float) focus.unseen();
-      return;
-    }
-    showCorners(x, y);
-    film.own[pixel] =
-        film.kind[pixel] == Film.SMOOTH
-            ? (float) bends.error(x, y, film.image)
-            : 0.3f * film.contrast[pixel];
   }
 
   private void showCorners(int x, int y) {
     film.image.set(x, y, corners.mean(x, y, 0), corners.mean(x, y, 1), corners.mean(x, y, 2));
+  }
+
+  /** Takes a split pixel from its two parts; returns whether they are what is in it. */
+  private boolean showParts(int x, int y) {
+    int pixel = y * film.width + x;
+    if (!split.look(x, y) || !split.agrees(film.middleAsCorner[pixel])) {
+      return false;
+    }
+    film.image.set(x, y, split.mean(0), split.mean(1), split.mean(2));
+    film.doubt[pixel] = (float) (split.doubt(scale) + bends.error(x, y, film.image));
+    film.own[pixel] = (float) split.variance(scale) + film.doubt[pixel];
+    return true;
+  }
+
+  private void showBusy(int x, int y) {
+    int pixel = y * film.width + x;
+    Focus focus = film.focus[pixel];
+    if (focus != null) {
+      film.image.set(x, y, focus.guess[0], focus.guess[1], focus.guess[2]);
+      film.own[pixel] = (float) focus.unseen();
+    } else {
+      showCorners(x, y);
+      film.own[pixel] = 0.3f * film.contrast[pixel];
+    }
   }
 
   /** Returns whether the edge of a split pixel may, for all that is known, run along corners. */

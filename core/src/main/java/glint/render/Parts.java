@@ -13,8 +13,26 @@ final class Parts {
   /** The side from each corner to the next: 0 top, 1 bottom, 2 left, 3 right. */
   private static final int[] SIDE = {0, 3, 1, 2};
 
+  /** The corner where each side begins, clockwise. */
+  private static final int[] BEGIN = {0, 2, 3, 1};
+
   /** Less of a pixel has no colour of its own. */
   private static final double LEAST_AREA = 1e-9;
+
+  /**
+   * The outlines of both parts, by the sum of two to the power of each side that is crossed:
+   * numbers of points, clockwise. The corners are 0 to 3; 4 and 5 lie beside the crossing of the
+   * first side, 6 and 7 of the second, as they come.
+   */
+  private static final int[][][] OUTLINES = new int[16][][];
+
+  static {
+    for (int one = 0; one < 4; one++) {
+      for (int two = one + 1; two < 4; two++) {
+        OUTLINES[1 << one | 1 << two] = outlines(one, two);
+      }
+    }
+  }
 
   /** A place in the pixel and the radiance there. */
   private static final int POINT = 5;
@@ -25,18 +43,7 @@ final class Parts {
   /** The corners of the pixel at hand, clockwise. */
   private final int[] corner = new int[4];
 
-  /** The part that each belongs to. */
-  private final int[] part = new int[4];
-
-  /** The points of both outlines, clockwise: every corner, and either side of each crossing. */
   private final double[] points = new double[8 * POINT];
-
-  /** Of either part: the first and the last point of its outline, or -1. */
-  private final int[] start = new int[2];
-
-  private final int[] last = new int[2];
-  private final double[] area = new double[2];
-  private final double[][] sum = new double[2][3];
 
   /** The colour on the side of the upper left corner, and that on the other. */
   final double[] first = new double[3];
@@ -48,43 +55,68 @@ final class Parts {
     this.brackets = brackets;
   }
 
-  /** Takes each part for as bright all over as its corners are. */
-  void fromCorners(int column, int row) {
+  private static int[][] outlines(int one, int two) {
+    int[][] outlines = {{}, {}};
+    int part = 0;
+    for (int i = 0; i < 4; i++) {
+      outlines[part] = append(outlines[part], i);
+      if (SIDE[i] == one || SIDE[i] == two) {
+        int beside = SIDE[i] == one ? 4 : 6;
+        outlines[part] = append(outlines[part], beside);
+        part = 1 - part;
+        outlines[part] = append(outlines[part], beside + 1);
+      }
+    }
+    return outlines;
+  }
+
+  private static int[] append(int[] numbers, int number) {
+    int[] more = Arrays.copyOf(numbers, numbers.length + 1);
+    more[numbers.length] = number;
+    return more;
+  }
+
+  /**
+   * Takes each part for as bright all over as its corners are.
+   *
+   * @param which the two sides of the pixel that the edge crosses
+   */
+  void fromCorners(int column, int row, int[] which) {
     turn(column, row);
-    plain(first, 0);
-    plain(second, 1);
+    int[][] outlines = OUTLINES[1 << which[0] | 1 << which[1]];
+    plain(outlines[0], first);
+    plain(outlines[1], second);
   }
 
   /**
    * Takes the radiance to run evenly, over triangles, between a part's corners and what the search
    * for the edge has seen beside it.
    *
-   * @param which the sides of the pixel that the edge crosses
+   * @param which the two sides of the pixel that the edge crosses
    * @param x where it does, in the pixel
    */
   void fromSearch(int column, int row, int[] which, double[] x, double[] y) {
     turn(column, row);
-    Arrays.fill(start, -1);
-    Arrays.fill(area, 0);
-    Arrays.fill(sum[0], 0);
-    Arrays.fill(sum[1], 0);
-    int at = 0;
     for (int i = 0; i < 4; i++) {
-      System.arraycopy(corners.rgb, 3 * corner[i], points, at + 2, 3);
-      at = add(part[i], at, X[i], Y[i]);
-      int crossing = which[0] == SIDE[i] ? 0 : which[1] == SIDE[i] ? 1 : -1;
-      if (crossing >= 0) {
-        int next = (i + 1) % 4;
-        int side = brackets.sides.number(column, row, SIDE[i]);
-        boolean forward = i < 2;
-        brackets.beside(side, !forward, corner[i], points, at + 2);
-        at = add(part[i], at, x[crossing], y[crossing]);
-        brackets.beside(side, forward, corner[next], points, at + 2);
-        at = add(part[next], at, x[crossing], y[crossing]);
+      set(i, X[i], Y[i]);
+      for (int channel = 0; channel < 3; channel++) {
+        points[POINT * i + 2 + channel] = corners.rgb[3 * corner[i] + channel];
       }
     }
-    finish(first, 0);
-    finish(second, 1);
+    for (int i = 0; i < 2; i++) {
+      // Clockwise, the bottom and the left side begin where they end by number.
+      boolean backward = which[i] == 1 || which[i] == 2;
+      int side = brackets.sides.number(column, row, which[i]);
+      int beside = 4 + 2 * i;
+      set(beside, x[i], y[i]);
+      set(beside + 1, x[i], y[i]);
+      int begin = BEGIN[which[i]];
+      brackets.beside(side, backward, corner[begin], points, POINT * beside + 2);
+      brackets.beside(side, !backward, corner[(begin + 1) % 4], points, POINT * beside + POINT + 2);
+    }
+    int[][] outlines = OUTLINES[1 << which[0] | 1 << which[1]];
+    fill(outlines[0], first);
+    fill(outlines[1], second);
   }
 
   private void turn(int column, int row) {
@@ -92,55 +124,49 @@ final class Parts {
     corner[1] = corner[0] + 1;
     corner[2] = corner[1] + corners.stride;
     corner[3] = corner[0] + corners.stride;
-    for (int i = 0; i < 4; i++) {
-      part[i] = corners.signature[corner[i]] == corners.signature[corner[0]] ? 0 : 1;
-    }
+  }
+
+  private void set(int point, double x, double y) {
+    points[POINT * point] = x;
+    points[POINT * point + 1] = y;
   }
 
   /**
-   * Adds a point to the outline of a part, and the triangle that it completes.
-   *
-   * @param at where its radiance stands among the points
-   * @return where the next may stand
+   * Finds the mean over the triangles between the first point of an outline and every two others.
    */
-  private int add(int part, int at, double x, double y) {
-    points[at] = x;
-    points[at + 1] = y;
-    int a = start[part];
-    int b = last[part];
-    if (a < 0) {
-      start[part] = at;
-    } else if (a != b) {
+  private void fill(int[] outline, double[] colour) {
+    int a = POINT * outline[0];
+    int b = POINT * outline[1];
+    double area = 0;
+    Arrays.fill(colour, 0);
+    for (int i = 2; i < outline.length; i++) {
+      int c = POINT * outline[i];
       double twice =
-          (points[b] - points[a]) * (y - points[a + 1])
-              - (points[b + 1] - points[a + 1]) * (x - points[a]);
-      area[part] += twice;
-      for (int i = 2; i < POINT; i++) {
-        sum[part][i - 2] += twice / 3 * (points[a + i] + points[b + i] + points[at + i]);
+          (points[b] - points[a]) * (points[c + 1] - points[a + 1])
+              - (points[b + 1] - points[a + 1]) * (points[c] - points[a]);
+      area += twice;
+      for (int j = 0; j < 3; j++) {
+        colour[j] += twice / 3 * (points[a + 2 + j] + points[b + 2 + j] + points[c + 2 + j]);
       }
+      b = c;
     }
-    last[part] = at;
-    return at + POINT;
-  }
-
-  private void finish(double[] colour, int part) {
-    if (!(area[part] > LEAST_AREA)) {
-      plain(colour, part);
-      return;
-    }
-    for (int i = 0; i < 3; i++) {
-      colour[i] = sum[part][i] / area[part];
+    if (area > LEAST_AREA) {
+      for (int j = 0; j < 3; j++) {
+        colour[j] /= area;
+      }
+    } else {
+      plain(outline, colour);
     }
   }
 
-  private void plain(double[] colour, int which) {
+  private void plain(int[] outline, double[] colour) {
     Arrays.fill(colour, 0);
     int count = 0;
-    for (int i = 0; i < 4; i++) {
-      if (part[i] == which) {
+    for (int point : outline) {
+      if (point < 4) {
         count++;
         for (int channel = 0; channel < 3; channel++) {
-          colour[channel] += corners.rgb[3 * corner[i] + channel];
+          colour[channel] += corners.rgb[3 * corner[point] + channel];
         }
       }
     }

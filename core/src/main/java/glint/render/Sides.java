@@ -15,10 +15,14 @@ final class Sides {
   private final int stride;
   private final int horizontals;
 
+  /** By how much the numbers of a pixel's sides exceed that of its top, in the first row. */
+  private final int[] beyondTop;
+
   Sides(CornerGrid corners) {
     stride = corners.stride;
     width = stride - 1;
     horizontals = width * corners.rows;
+    beyondTop = new int[] {0, width, horizontals, horizontals + 1};
     count = horizontals + stride * (corners.rows - 1);
   }
 
@@ -26,26 +30,13 @@ final class Sides {
     return y * width + x;
   }
 
-  int bottom(int x, int y) {
-    return top(x, y + 1);
-  }
-
   int left(int x, int y) {
     return horizontals + y * stride + x;
   }
 
-  int right(int x, int y) {
-    return left(x + 1, y);
-  }
-
   /** Returns the number of a side of a pixel: 0 top, 1 bottom, 2 left, 3 right. */
   int number(int x, int y, int side) {
-    return switch (side) {
-      case 0 -> top(x, y);
-      case 1 -> bottom(x, y);
-      case 2 -> left(x, y);
-      default -> right(x, y);
-    };
+    return top(x, y) + (side >> 1) * y + beyondTop[side]; // a vertical row holds one more
   }
 
   boolean isHorizontal(int side) {

@@ -62,13 +62,11 @@ final class Split {
 
   /** Finds the two sides only; returns whether each is crossed once, as far as is known. */
   boolean cross(int column, int row) {
-    int count = 0;
-    for (int side = 0; side < 4; side++) {
-      if (corners.differ(column, row, side)) {
-        which[count] = side;
-        crossed[count++] = brackets.sides.number(column, row, side);
-      }
-    }
+    int sides = corners.crossed(column, row);
+    which[0] = Integer.numberOfTrailingZeros(sides);
+    which[1] = Integer.numberOfTrailingZeros(sides & sides - 1);
+    crossed[0] = brackets.sides.number(column, row, which[0]);
+    crossed[1] = brackets.sides.number(column, row, which[1]);
     return steps() != Brackets.MIXED;
   }
 
@@ -81,7 +79,7 @@ final class Split {
     cross(column, row);
     place(one, two);
     arc.freeze(bulge, orientation);
-    parts.fromCorners(column, row);
+    parts.fromCorners(column, row, which);
     share = share();
   }
 
