@@ -268,6 +268,7 @@ public final class Primitives {
     int at = start(head[slot]);
     int k = kind(head[slot]);
     hit.surface = surface[slot];
+    hit.curved = false;
     if (k == INSTANCE || k == INSTANCE_IN_PARTS) {
       instances.resolve(at, hit);
       hit.surface += k == INSTANCE_IN_PARTS ? instances.part(at, hit) : 0;
@@ -289,7 +290,6 @@ public final class Primitives {
   }
 
   private void resolve(int k, int at, Ray ray, Hit hit) {
-    hit.curved = false;
     switch (k) {
       case SPHERE -> SphereKernel.resolve(data, at, ray, hit);
       case TRIANGLE -> TriangleKernel.resolve(data, at, hit);

@@ -155,8 +155,10 @@ class InstancesTest {
       assertEquals(b.found(), a.found());
       if (a.found()) {
         hits++;
+        a.curved = true; // as where a sphere was hit before
         instances.resolve(ray, a);
         meshes.resolve(ray, b);
+        assertFalse(a.curved);
         assertEquals(b.t, a.t, 1e-12);
         assertEquals(b.surface, a.surface);
         assertEquals(b.crossing, a.crossing);
