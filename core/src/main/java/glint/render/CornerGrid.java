@@ -86,14 +86,10 @@ final class CornerGrid {
     }
   }
 
-  /** Fills a block of an image, as far as it has one, with what the block's first corner shows. */
-  void show(int x, int y, int endX, int endY, Image picture) {
+  /** Shows a corner in a pixel of a picture. */
+  void show(int x, int y, Image picture, int column, int row) {
     int at = 3 * (y * stride + x);
-    for (int row = y; row < Math.min(endY, picture.height()); row++) {
-      for (int column = x; column < Math.min(endX, picture.width()); column++) {
-        picture.set(column, row, rgb[at], rgb[at + 1], rgb[at + 2]);
-      }
-    }
+    picture.set(column, row, rgb[at], rgb[at + 1], rgb[at + 2]);
   }
 
   /**

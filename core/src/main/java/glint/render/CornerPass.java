@@ -43,7 +43,11 @@ final class CornerPass {
   /** Traces a corner ahead of the others, and shows it in all of its block. */
   private void traceCoarse(Refiner refiner, int x, int y) {
     corners.trace(refiner.probe, scale, x, y);
-    corners.show(x, y, x + COARSE, y + COARSE, film.image);
+    for (int row = y; row < Math.min(y + COARSE, film.height); row++) {
+      for (int column = x; column < Math.min(x + COARSE, film.width); column++) {
+        corners.show(x, y, film.image, column, row);
+      }
+    }
   }
 
   private void traceTile(Refiner refiner, int tile) {
@@ -56,7 +60,9 @@ final class CornerPass {
         if (x % COARSE != 0 || y % COARSE != 0 || x == film.width || y == film.height) {
           corners.trace(refiner.probe, scale, x, y);
         }
-        corners.show(x, y, x + 1, y + 1, film.image);
+        if (x < film.width && y < film.height) {
+          corners.show(x, y, film.image, x, y);
+        }
       }
     }
   }

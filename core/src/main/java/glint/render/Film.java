@@ -121,20 +121,20 @@ final class Film {
     Arrays.fill(slot, -1);
   }
 
-  /** Gives a pixel that is about to be sampled a place for its sums. */
-  void open(int pixel) {
-    if (slot[pixel] >= 0) {
-      return;
+  /** Gives pixels that are about to be sampled places for their sums, if they have none. */
+  void open(int[] pixels) {
+    int first = slots;
+    for (int pixel : pixels) {
+      slot[pixel] = slot[pixel] < 0 ? slots++ : slot[pixel];
     }
-    if (slots == cut.length) {
-      int more = slots + (slots >> 1);
+    if (slots > cut.length) {
+      int more = Math.max(slots, first + (first >> 1));
       edge = Arrays.copyOf(edge, EDGE * more);
       sums = Arrays.copyOf(sums, more * SLOT);
       cut = Arrays.copyOf(cut, more);
       prior = Arrays.copyOf(prior, more);
       valid = Arrays.copyOf(valid, more);
     }
-    slot[pixel] = slots++;
   }
 
   /**

@@ -31,9 +31,7 @@ final class Sampling {
 
   /** Chooses a pixel for the next run, if it is not chosen yet. */
   void choose(int pixel) {
-    if (chosen.add(pixel)) {
-      film.open(pixel);
-    }
+    chosen.add(pixel);
   }
 
   /** Returns whether any pixel is chosen. */
@@ -58,6 +56,7 @@ final class Sampling {
    */
   void run(int least) throws InterruptedException {
     int[] pixels = chosen.take();
+    film.open(pixels);
     double[] moved = new double[pixels.length];
     crew.run(
         (pixels.length + BATCH - 1) / BATCH,

@@ -9,20 +9,19 @@ final class Selection {
   private int[] numbers = new int[1024];
   private int size;
 
-  /** Chooses a number; returns whether it was not chosen yet. */
-  boolean add(int number) {
+  /** Chooses a number, if it is not chosen yet. */
+  void add(int number) {
     if (number >= isChosen.length) {
       isChosen = Arrays.copyOf(isChosen, Math.max(number + 1, 2 * isChosen.length));
     }
     if (isChosen[number]) {
-      return false;
+      return;
     }
     isChosen[number] = true;
     if (size == numbers.length) {
       numbers = Arrays.copyOf(numbers, 2 * size);
     }
     numbers[size++] = number;
-    return true;
   }
 
   boolean isEmpty() {
