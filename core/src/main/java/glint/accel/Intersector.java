@@ -9,8 +9,9 @@ import java.util.stream.Stream;
  * Finds what a ray hits; owns the scratch for it, so one per worker.
  *
  * <p>Unbounded primitives are tried one by one, and so is a handful of others, as far as the ray
- * meets their boxes; more are in a tree. All ways give the same hit, bit for bit, because a hit
- * depends on ray and primitive alone and equal parameters go to the lower number.
+ * meets their boxes; more are in a tree. A ray of a pencil tries what is on its list. All ways give
+ * the same hit, bit for bit, because a hit depends on ray and primitive alone and equal parameters
+ * go to the lower number.
  */
 public final class Intersector {
 
@@ -74,8 +75,17 @@ public final class Intersector {
 
   /** Finds the hit with the least t in {@code (ray.tMin, tMax]}. */
   public void closest(Ray ray, double tMax, Hit hit) {
+    closest(ray, tMax, null, hit);
+  }
+
+  /**
+   * Does the same for a ray that may be one of a pencil.
+   *
+   * @param pencil of the same primitives, or null
+   */
+  public void closest(Ray ray, double tMax, Pencil pencil, Hit hit) {
     hit.begin(tMax);
-    search(ray, hit, false);
+    search(ray, hit, pencil, false);
   }
 
   /**
@@ -90,23 +100,24 @@ public final class Intersector {
 
   /** Returns whether anything is hit in {@code (ray.tMin, tMax]}. */
   public boolean any(Ray ray, double tMax, Hit scratch) {
-    return blocker(ray, tMax, -1, scratch) >= 0;
+    return blocker(ray, tMax, null, -1, scratch) >= 0;
   }
 
   /**
    * Does the same, but tries one primitive before others: what was in the way of the last ray is
    * likely to be in that of the next.
    *
-   * @param first its slot, or -1 for none
+   * @param pencil which the ray may be one of, or null
+   * @param first the slot of the one tried first, or -1 for none
    * @return the slot of what is hit, or -1
    */
-  public int blocker(Ray ray, double tMax, int first, Hit scratch) {
+  public int blocker(Ray ray, double tMax, Pencil pencil, int first, Hit scratch) {
     scratch.begin(tMax);
     if (first >= 0) {
       intersect(first, ray, scratch, true);
     }
     if (!scratch.found()) {
-      search(ray, scratch, true);
+      search(ray, scratch, pencil, true);
     }
     return scratch.found() ? scratch.slot() : -1;
   }
@@ -135,7 +146,7 @@ public final class Intersector {
       Intersector model = models[primitives.model(slot)];
       primitives.toModel(slot, ray, hit, model.inModel);
       model.found.begin(hit.t);
-      model.search(model.inModel, model.found, stopAtFirst);
+      model.search(model.inModel, model.found, null, stopAtFirst);
       primitives.offer(slot, model.found, hit);
     } else {
       primitives.intersect(slot, ray, hit, local);
@@ -148,11 +159,20 @@ public final class Intersector {
     }
   }
 
-  private void search(Ray ray, Hit hit, boolean stopAtFirst) {
+  private void search(Ray ray, Hit hit, Pencil pencil, boolean stopAtFirst) {
     boolean boxed = tree != null || boxes != null;
     int linear = boxed ? primitives.unbounded() : primitives.count();
     intersectAll(0, linear, ray, hit, stopAtFirst);
     if (linear == primitives.count() || (stopAtFirst && hit.found())) {
+      return;
+    }
+    int list = pencil == null ? Cells.MANY : pencil.list(ray);
+    if (list != Cells.MANY) {
+      int start = Cells.start(list);
+      int end = start + Cells.length(list);
+      for (int i = start; i < end && !(stopAtFirst && hit.found()); i++) {
+        intersect(pencil.slot(i), ray, hit, stopAtFirst);
+      }
       return;
     }
     slabs.set(ray, size, primitives.conditioning());

@@ -18,7 +18,7 @@ final class Slabs {
    * <p>The widest band of any kernel is the cylinder's, 36u(|o - c| + size), and that sum is at
    * most 2√3 + 1 times the largest coordinate: 161u. See docs/numerics.md.
    */
-  private static final double SLACK = 256 * 0x1p-53;
+  static final double SLACK = 256 * 0x1p-53;
 
   // The reciprocal direction, and origins moved apart for near and far planes.
   private double inverseX;

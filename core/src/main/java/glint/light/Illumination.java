@@ -1,7 +1,9 @@
 package glint.light;
 
+import glint.accel.Pencil;
 import glint.color.Rgb;
 import glint.geometry.Hit;
+import glint.geometry.Primitives;
 import glint.geometry.Ray;
 import glint.geometry.Surface;
 import glint.math.Vector3d;
@@ -212,6 +214,15 @@ public final class Illumination {
       return Double.POSITIVE_INFINITY;
     }
     return hit.spawnTo(w.x(), w.y(), w.z(), ray);
+  }
+
+  /** Returns the shadow rays to a light, or null if it has an area. */
+  public Pencil pencil(int i, Primitives primitives) {
+    return switch (kind[i]) {
+      case LAMP -> null;
+      case DIRECTIONAL -> Pencil.along(where[i], primitives);
+      default -> Pencil.to(where[i], primitives);
+    };
   }
 
   /**

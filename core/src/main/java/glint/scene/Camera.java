@@ -63,6 +63,11 @@ public record Camera(
     return new Camera(position, lookAt, up, projection, 0, Double.POSITIVE_INFINITY);
   }
 
+  /** Returns the unit vector along the view. */
+  Vector3d forward() {
+    return lookAt.minus(position).normalized();
+  }
+
   /**
    * Returns this camera, turned about a point.
    *

@@ -34,6 +34,7 @@ public final class Prepared {
   /** The tree over the primitives, or null where the plan does without. */
   private final Bvh tree;
 
+  private final Pencils pencils;
   private final boolean smooth;
   private final double radianceBound;
 
@@ -46,13 +47,15 @@ public final class Prepared {
       Illumination lights,
       SurfaceTable surfaces,
       Primitives primitives,
-      Bvh tree) {
+      Bvh tree,
+      Pencils pencils) {
     this.scene = scene;
     this.plan = plan;
     this.lights = lights;
     this.surfaces = surfaces;
     this.primitives = primitives;
     this.tree = tree;
+    this.pencils = pencils;
     smooth = plan.smoothNormals().used();
     radianceBound = boundRadiance();
     Vector3d eye = scene.camera().position();
@@ -82,7 +85,8 @@ public final class Prepared {
     SurfaceTable surfaces = new SurfaceTable(scene.placements(), plan);
     Bvh tree = plan.tree().used() ? Bvh.over(primitives) : null;
     Primitives ordered = tree == null ? primitives : tree.primitives();
-    return new Prepared(scene, plan, lights, surfaces, ordered, tree);
+    Pencils pencils = Pencils.of(scene, plan, lights, ordered);
+    return new Prepared(scene, plan, lights, surfaces, ordered, tree, pencils);
   }
 
   /**
@@ -96,7 +100,8 @@ public final class Prepared {
     if (!same || picture.highlight() != scene.highlight()) {
       throw new IllegalArgumentException("another world");
     }
-    return new Prepared(picture, plan, lights, surfaces, primitives, tree);
+    Pencils other = pencils.seenIn(picture, plan, primitives);
+    return new Prepared(picture, plan, lights, surfaces, primitives, tree, other);
   }
 
   private static boolean same(List<?> a, List<?> b) {
@@ -139,6 +144,11 @@ public final class Prepared {
   /** Returns the lights. */
   public Illumination lights() {
     return lights;
+  }
+
+  /** Returns the pencils that rays are of. */
+  public Pencils pencils() {
+    return pencils;
   }
 
   /** Returns how many surfaces there are. */

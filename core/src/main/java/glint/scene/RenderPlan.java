@@ -20,6 +20,7 @@ public record RenderPlan(
     Decision motion,
     Decision instances,
     Decision tree,
+    Decision pencils,
     Decision smoothNormals,
     Decision directLight,
     Decision lamps,
@@ -45,6 +46,7 @@ public record RenderPlan(
         motion(scene),
         instances,
         tree(primitives),
+        Pencils.decide(scene, lights, primitives),
         smoothNormals(scene),
         directLight(scene, lights),
         lamps(lights),
@@ -66,6 +68,7 @@ public record RenderPlan(
         new Decision("motion", true, reason),
         new Decision("instances", true, reason),
         new Decision("hierarchy", true, reason),
+        new Decision("pencils", true, reason),
         new Decision("smooth normals", true, reason),
         new Decision("direct light", true, reason),
         new Decision("area lights", true, reason),
@@ -86,6 +89,7 @@ public record RenderPlan(
         motion,
         instances,
         tree,
+        pencils,
         smoothNormals,
         directLight,
         lamps,
@@ -106,7 +110,7 @@ public record RenderPlan(
         : new Decision("motion", true, "rays have random times; surfaces that move: " + moving);
   }
 
-  private static Decision lens(Scene scene) {
+  static Decision lens(Scene scene) {
     return scene.camera().lens().filter(lens -> lens.radius() > 0).isPresent()
         ? new Decision("lens", true, "rays start at random places of it")
         : new Decision("lens", false, "the camera is a pinhole: everything is sharp");
@@ -161,7 +165,7 @@ public record RenderPlan(
             feature, true, "seen by rays, and a random place of each lights: " + lights.lamps());
   }
 
-  private static Decision shadows(Scene scene, Illumination lights) {
+  static Decision shadows(Scene scene, Illumination lights) {
     String feature = "shadow rays";
     Decision light = directLight(scene, lights);
     if (!light.used()) {

@@ -34,7 +34,7 @@ public final class View {
     this.camera = camera;
     this.width = width;
     this.height = height;
-    forward = camera.lookAt().minus(camera.position()).normalized();
+    forward = camera.forward();
     // Next to the zenith the cross product is not quite square to the view: twice is enough.
     Vector3d across = forward.cross(camera.up().normalized()).normalized();
     right = across.minus(forward.times(across.dot(forward))).normalized();

@@ -1,6 +1,7 @@
 package glint.trace;
 
 import glint.accel.Intersector;
+import glint.accel.Pencil;
 import glint.color.Rgb;
 import glint.geometry.Hit;
 import glint.geometry.Ray;
@@ -30,6 +31,9 @@ final class DirectLight {
 
   /** Where that ends: just before the light. */
   private double end;
+
+  /** Which pencil it is of, or null. */
+  private Pencil pencil;
 
   private final Hit blocker = new Hit();
 
@@ -164,8 +168,9 @@ final class DirectLight {
     }
     counts.shadow++;
     end = lights.shadowRay(i, light, hit, shadowRay);
+    pencil = scene.pencils().toLight(i);
     if (!plan.refraction().used()) {
-      int slot = intersector.blocker(shadowRay, end, blockers[i], blocker);
+      int slot = intersector.blocker(shadowRay, end, pencil, blockers[i], blocker);
       if (recorder == null) {
         blockers[i] = slot;
       } else if (slot >= 0) { // what is told does not depend on other rays
@@ -183,7 +188,7 @@ final class DirectLight {
     if (plan.refraction().used()) {
       return boundary.surface;
     }
-    intersector.closest(shadowRay, end, blocker);
+    intersector.closest(shadowRay, end, pencil, blocker);
     intersector.resolve(shadowRay, blocker);
     return blocker.surface;
   }
@@ -196,7 +201,7 @@ final class DirectLight {
     double length = Math.sqrt(dx * dx + dy * dy + dz * dz);
     double from = 0;
     while (true) {
-      intersector.closest(shadowRay, end, blocker);
+      intersector.closest(shadowRay, end, pencil, blocker);
       if (!blocker.found()) {
         absorb((end - from) * length);
         return passes();

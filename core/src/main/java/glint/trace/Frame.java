@@ -1,5 +1,6 @@
 package glint.trace;
 
+import glint.accel.Pencil;
 import glint.geometry.Ray;
 import glint.scene.Prepared;
 
@@ -8,6 +9,9 @@ final class Frame {
 
   /** The ray, of unit direction. */
   final Ray ray = new Ray();
+
+  /** Which pencil it is of, or null. */
+  Pencil pencil;
 
   /** The media it is inside of. */
   final Interior interior;
@@ -38,6 +42,7 @@ final class Frame {
 
   /** Sets this to begin anew at its ray's origin. */
   void begin(double newEnd, double r, double g, double b) {
+    pencil = null;
     from = 0;
     end = newEnd;
     weightR = r;

@@ -167,6 +167,7 @@ public final class Tracer {
     Frame f = frame(0);
     f.ray.copy(ray);
     f.begin(tMax, 1, 1, 1);
+    f.pencil = scene.pencils().fromEye();
     f.gain = 1;
     f.from = ray.tMin;
     f.path = 0;
@@ -184,7 +185,7 @@ public final class Tracer {
    */
   public Hit look(Ray ray, double tMax) {
     counts.camera++;
-    intersector.closest(ray, tMax, hit);
+    intersector.closest(ray, tMax, scene.pencils().fromEye(), hit);
     if (hit.found()) {
       intersector.resolve(ray, hit);
       scene.face(ray, hit);
@@ -253,7 +254,7 @@ public final class Tracer {
   private boolean advance(Frame f) {
     while (true) {
       shines = plan.lamps().used() && lamps.find(f.ray, f.end);
-      intersector.closest(f.ray, shines ? lamps.t() : f.end, hit);
+      intersector.closest(f.ray, shines ? lamps.t() : f.end, f.pencil, hit);
       if (!hit.found()) {
         absorb(f, shines ? lamps.t() : Double.POSITIVE_INFINITY);
         return false;
@@ -409,6 +410,7 @@ public final class Tracer {
     if (eta == 1) { // straight on, on the very same line
       through.ray.copy(ray);
       through.begin(f.end, wr, wg, wb);
+      through.pencil = f.pencil;
       through.from = f.from;
       return share;
     }

@@ -93,6 +93,7 @@ class InstancesTest {
             plan.motion(),
             new Decision("instances", false, "switched off"),
             plan.tree(),
+            plan.pencils(),
             plan.smoothNormals(),
             plan.directLight(),
             plan.lamps(),

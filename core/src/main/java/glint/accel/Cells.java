@@ -1,0 +1,154 @@
+package glint.accel;
+
+/**
+ * Grids of cells over rectangles, with a list for each cell of the few boxes that are seen in it;
+ * immutable.
+ *
+ * <p>Every face has a grid of its own. A place on a face has two coordinates, v and w.
+ */
+final class Cells {
+
+  /** In place of a list: more than are worth one. */
+  static final int MANY = -1;
+
+  /** The list of a place where nothing is seen. */
+  private static final int NOTHING = 0;
+
+  /** How many cells stand side by side. */
+  private static final int SIDE = 32;
+
+  /** Lists are at most this long. */
+  private static final int LONGEST = 8;
+
+  /** A list is where it starts among all, and in its lowest bits how long it is. */
+  private static final int LENGTH_BITS = 4;
+
+  /**
+   * The rectangle of each face in six numbers: the least and the greatest v, how many cells there
+   * are per unit of it, and the same of w.
+   */
+  private final double[] frames;
+
+  private final int[][] lists;
+  private final int[] boxes;
+
+  /**
+   * Lists boxes by their rectangles.
+   *
+   * @param seen by face four numbers for each box, its least and greatest v, its least and greatest
+   *     w; the least above the greatest where it is not seen
+   */
+  Cells(double[][] seen) {
+    frames = new double[6 * seen.length];
+    lists = new int[seen.length][];
+    int all = 0;
+    for (int face = 0; face < seen.length; face++) {
+      frame(6 * face, seen[face], 0);
+      frame(6 * face + 3, seen[face], 2);
+      lists[face] = count(6 * face, seen[face]);
+      all = lay(lists[face], all);
+    }
+    boxes = new int[all];
+    for (int face = 0; face < seen.length; face++) {
+      fill(face, seen[face]);
+    }
+  }
+
+  /** Finds what all rectangles of a face take up in one coordinate. */
+  private void frame(int at, double[] seen, int coordinate) {
+    double least = Double.POSITIVE_INFINITY;
+    double greatest = Double.NEGATIVE_INFINITY;
+    for (int i = 0; i < seen.length; i += 4) {
+      if (isSeen(seen, i)) {
+        least = Math.min(least, seen[i + coordinate]);
+        greatest = Math.max(greatest, seen[i + coordinate + 1]);
+      }
+    }
+    frames[at] = least;
+    frames[at + 1] = greatest;
+    frames[at + 2] = SIDE / (greatest - least);
+  }
+
+  private static boolean isSeen(double[] seen, int i) {
+    return seen[i] <= seen[i + 1] && seen[i + 2] <= seen[i + 3];
+  }
+
+  /** Counts, for each cell of a face, the boxes that are seen in it. */
+  private int[] count(int at, double[] seen) {
+    int[] counts = new int[frames[at] <= frames[at + 1] ? SIDE * SIDE : 0];
+    for (int i = 0; i < seen.length; i += 4) {
+      if (isSeen(seen, i)) {
+        int last = cell(seen[i + 1], at);
+        for (int row = cell(seen[i + 2], at + 3); row <= cell(seen[i + 3], at + 3); row++) {
+          for (int column = cell(seen[i], at); column <= last; column++) {
+            counts[SIDE * row + column]++;
+          }
+        }
+      }
+    }
+    return counts;
+  }
+
+  /** Turns counts into lists that are empty yet; returns where the next one may start. */
+  private static int lay(int[] counts, int start) {
+    int next = start;
+    for (int cell = 0; cell < counts.length; cell++) {
+      int count = counts[cell];
+      counts[cell] = count > LONGEST ? MANY : next << LENGTH_BITS;
+      next += count > LONGEST ? 0 : count;
+    }
+    return next;
+  }
+
+  private void fill(int face, double[] seen) {
+    int at = 6 * face;
+    for (int i = 0; i < seen.length; i += 4) {
+      if (isSeen(seen, i)) {
+        int last = cell(seen[i + 1], at);
+        for (int row = cell(seen[i + 2], at + 3); row <= cell(seen[i + 3], at + 3); row++) {
+          for (int column = cell(seen[i], at); column <= last; column++) {
+            add(lists[face], SIDE * row + column, i / 4);
+          }
+        }
+      }
+    }
+  }
+
+  private void add(int[] of, int cell, int box) {
+    int list = of[cell];
+    if (list != MANY) {
+      boxes[start(list) + length(list)] = box;
+      of[cell] = list + 1;
+    }
+  }
+
+  /** Which cell of a row or column a coordinate lies in; a greater one lies in no lower cell. */
+  private int cell(double v, int at) {
+    return Math.min((int) ((v - frames[at]) * frames[at + 2]), SIDE - 1);
+  }
+
+  /** Returns the list for a place on a face, or {@link #MANY}. */
+  int list(int face, double v, double w) {
+    int at = 6 * face;
+    boolean within = v >= frames[at] && v <= frames[at + 1];
+    if (!(within && w >= frames[at + 3] && w <= frames[at + 4])) {
+      return NOTHING;
+    }
+    return lists[face][SIDE * cell(w, at + 3) + cell(v, at)];
+  }
+
+  /** Returns where a list starts. */
+  static int start(int list) {
+    return list >> LENGTH_BITS;
+  }
+
+  /** Returns how long a list is. */
+  static int length(int list) {
+    return list & (1 << LENGTH_BITS) - 1;
+  }
+
+  /** Returns the number of the box at a place in the lists. */
+  int box(int place) {
+    return boxes[place];
+  }
+}
