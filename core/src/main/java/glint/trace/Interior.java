@@ -33,8 +33,10 @@ final class Interior {
     if (media.length < other.count) {
       media = new int[other.media.length];
     }
-    System.arraycopy(other.media, 0, media, 0, other.count);
     count = other.count;
+    for (int i = 0; i < count; i++) { // they are too few for a call
+      media[i] = other.media[i];
+    }
   }
 
   /** Goes into a medium. */
@@ -49,8 +51,10 @@ final class Interior {
   void leave(int medium) {
     for (int i = count - 1; i >= 0; i--) {
       if (media[i] == medium) {
-        System.arraycopy(media, i + 1, media, i, count - i - 1);
         count--;
+        for (int j = i; j < count; j++) {
+          media[j] = media[j + 1];
+        }
         return;
       }
     }
@@ -75,9 +79,12 @@ final class Interior {
 
   /** Returns the medium that is there, or {@link Prepared#OUTSIDE}. */
   int current() {
-    int best = Prepared.OUTSIDE;
-    for (int i = 0; i < count; i++) {
-      if (best == Prepared.OUTSIDE || priority(media[i]) >= priority(best)) {
+    if (count == 0) {
+      return Prepared.OUTSIDE;
+    }
+    int best = media[0];
+    for (int i = 1; i < count; i++) {
+      if (priority(media[i]) >= priority(best)) {
         best = media[i];
       }
     }
