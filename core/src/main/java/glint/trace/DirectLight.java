@@ -188,7 +188,7 @@ final class DirectLight {
     if (plan.refraction().used()) {
       return boundary.surface;
     }
-    intersector.closest(shadowRay, end, pencil, blocker);
+    intersector.closest(shadowRay, blocker.t, pencil, blocker);
     intersector.resolve(shadowRay, blocker);
     return blocker.surface;
   }
