@@ -1,7 +1,6 @@
 package glint.trace;
 
 import glint.accel.Intersector;
-import glint.accel.Pencil;
 import glint.color.Rgb;
 import glint.geometry.Hit;
 import glint.geometry.Ray;
@@ -10,13 +9,11 @@ import glint.light.LightSample;
 import glint.optics.Highlight;
 import glint.optics.Lobe;
 import glint.optics.Material;
-import glint.optics.Medium;
 import glint.optics.Texel;
 import glint.sampling.SobolSampler;
 import glint.scene.Prepared;
 import glint.scene.RenderPlan;
 import glint.trace.RayTree.Fate;
-import java.util.Arrays;
 
 /** What a surface gives by itself: emission, ambient light, and the lights that reach it. */
 final class DirectLight {
@@ -24,25 +21,10 @@ final class DirectLight {
   private final Prepared scene;
   private final RenderPlan plan;
   private final Illumination lights;
-  private final Intersector intersector;
   private final RayCounts counts;
   private final Signature signature;
-  private final Ray shadowRay = new Ray();
-
-  /** Where that ends: just before the light. */
-  private double end;
-
-  /** Which pencil it is of, or null. */
-  private Pencil pencil;
-
-  private final Hit blocker = new Hit();
-
-  /** For each light the slot of what was in its way to the last point, or -1. */
-  private final int[] blockers;
-
   private final LightSample light = new LightSample();
-  private final Interior interior;
-  private final Boundary boundary;
+  private final ShadowRay shadow;
 
   /** Is told of every light; null unless somebody asks. */
   private final Recorder recorder;
@@ -59,12 +41,6 @@ final class DirectLight {
   /** What the surface's texture multiplies its colour by. */
   private final Texel pattern = new Texel();
 
-  /** The share of the light that passes on the way to it, by channel. */
-  private double passR;
-
-  private double passG;
-  private double passB;
-
   DirectLight(
       Prepared scene,
       Intersector intersector,
@@ -75,13 +51,9 @@ final class DirectLight {
     this.recorder = recorder;
     this.plan = scene.plan();
     this.lights = scene.lights();
-    this.intersector = intersector;
     this.counts = counts;
     this.signature = signature;
-    blockers = new int[lights.count()];
-    Arrays.fill(blockers, -1);
-    interior = new Interior(scene);
-    boundary = new Boundary(scene, intersector);
+    shadow = new ShadowRay(scene, intersector, counts, signature, recorder);
     pattern.set(Rgb.WHITE);
   }
 
@@ -130,10 +102,10 @@ final class DirectLight {
       tell(i, Fate.BEHIND, cos, 0, 0, 0);
       return;
     }
-    if (!reaches(i, hit, around)) {
+    if (!shadow.reaches(i, light, hit, around)) {
       tell(i, Fate.SHADOWED, cos, 0, 0, 0);
       if (veil != null) {
-        veil.add(i, caster(), light, material, pattern, cos);
+        veil.add(i, shadow.caster(), light, material, pattern, cos);
       }
       return;
     }
@@ -142,9 +114,9 @@ final class DirectLight {
     signature.add(i);
     boolean shiny = plan.highlights().used() && !specular.isBlack();
     double lobe = shiny ? highlight(hit, ray, cos, material.shininess()) : 0;
-    double addR = passR * (light.r * (diffuse.r() * pattern.r * cos + specular.r() * lobe));
-    double addG = passG * (light.g * (diffuse.g() * pattern.g * cos + specular.g() * lobe));
-    double addB = passB * (light.b * (diffuse.b() * pattern.b * cos + specular.b() * lobe));
+    double addR = shadow.passR * (light.r * (diffuse.r() * pattern.r * cos + specular.r() * lobe));
+    double addG = shadow.passG * (light.g * (diffuse.g() * pattern.g * cos + specular.g() * lobe));
+    double addB = shadow.passB * (light.b * (diffuse.b() * pattern.b * cos + specular.b() * lobe));
     r += addR;
     g += addG;
     b += addB;
@@ -154,105 +126,7 @@ final class DirectLight {
   private void tell(int i, Fate fate, double cos, double addR, double addG, double addB) {
     if (recorder != null) {
       Rgb added = new Rgb(addR, addG, addB);
-      recorder.lights(lights.number(i), fate, light, cos, passing(), added);
-    }
-  }
-
-  /** Follows the way to a light; returns whether anything passes, and how much. */
-  private boolean reaches(int i, Hit hit, Interior around) {
-    passR = 1;
-    passG = 1;
-    passB = 1;
-    if (!plan.shadows().used()) {
-      return true;
-    }
-    counts.shadow++;
-    end = lights.shadowRay(i, light, hit, shadowRay);
-    pencil = scene.pencils().toLight(i);
-    if (!plan.refraction().used()) {
-      int slot = intersector.blocker(shadowRay, end, pencil, blockers[i], blocker);
-      if (recorder == null) {
-        blockers[i] = slot;
-      } else if (slot >= 0) { // what is told does not depend on other rays
-        intersector.resolve(shadowRay, blocker);
-        recorder.crosses(blocker, blocker.surface, 0, Rgb.BLACK);
-      }
-      return slot < 0;
-    }
-    interior.copy(around);
-    return walk();
-  }
-
-  /** Returns what the way to the light meets first of what keeps it from passing. */
-  private int caster() {
-    if (plan.refraction().used()) {
-      return boundary.surface;
-    }
-    intersector.closest(shadowRay, blocker.t, pencil, blocker);
-    intersector.resolve(shadowRay, blocker);
-    return blocker.surface;
-  }
-
-  /** Walks through everything transparent, straight on, until something is opaque. */
-  private boolean walk() {
-    double dx = shadowRay.dx;
-    double dy = shadowRay.dy;
-    double dz = shadowRay.dz;
-    double length = Math.sqrt(dx * dx + dy * dy + dz * dz);
-    double from = 0;
-    while (true) {
-      intersector.closest(shadowRay, end, pencil, blocker);
-      if (!blocker.found()) {
-        absorb((end - from) * length);
-        return passes();
-      }
-      intersector.resolve(shadowRay, blocker);
-      scene.face(shadowRay, blocker);
-      interior.complete(blocker);
-      double t = blocker.t;
-      double cos = -(dx * blocker.sx + dy * blocker.sy + dz * blocker.sz) / length;
-      boundary.meet(shadowRay, end, blocker, interior);
-      if (boundary.opaque) {
-        if (recorder != null) {
-          recorder.crosses(blocker, boundary.surface, 0, Rgb.BLACK);
-        }
-        return false;
-      }
-      if (boundary.visible) {
-        signature.add(boundary.surface);
-        absorb((t - from) * length);
-        from = t;
-        Rgb transparency = boundary.material().transparency();
-        double reflected = boundary.shadowReflectance(Math.min(Math.max(cos, 0), 1));
-        double through = 1 - reflected;
-        passR *= transparency.r() * through;
-        passG *= transparency.g() * through;
-        passB *= transparency.b() * through;
-        if (recorder != null) {
-          recorder.crosses(blocker, boundary.surface, reflected, passing());
-        }
-      }
-      interior.copy(boundary.beyond);
-      if (!passes()) {
-        return false;
-      }
-    }
-  }
-
-  private Rgb passing() {
-    return new Rgb(passR, passG, passB);
-  }
-
-  private boolean passes() {
-    return passR > 0 || passG > 0 || passB > 0;
-  }
-
-  private void absorb(double length) {
-    Medium medium = scene.medium(interior.current());
-    if (medium.absorbs()) {
-      passR *= medium.transmission(medium.absorption().r(), length);
-      passG *= medium.transmission(medium.absorption().g(), length);
-      passB *= medium.transmission(medium.absorption().b(), length);
+      recorder.lights(lights.number(i), fate, light, cos, shadow.passing(), added);
     }
   }
 
