@@ -34,7 +34,8 @@ final class Cutoff {
     double negligible = Math.min(settings.negligible(), accepted / 255);
     boolean bounded = scene.radianceBound() < Double.POSITIVE_INFINITY;
     double gained = Double.POSITIVE_INFINITY;
-    boolean tried = bounded && negligible > LEAST;
+    boolean bounces = scene.plan().mirrors().used() || scene.plan().refraction().used();
+    boolean tried = bounces && bounded && negligible > LEAST;
     double lost = tried ? lost(scene, settings.following(negligible), scale) : 0;
     while (lost > share && gained > share / WORTH && negligible > LEAST) {
       negligible /= 2;
