@@ -36,7 +36,7 @@ final class CornerGrid {
   /** Whether the ray, or one that came of it, was a random one of many. */
   final boolean[] random;
 
-  /** What casts shadows there, as in {@link glint.trace.Veil#casters}. */
+  /** What casts shadows there, as in {@link glint.trace.Veil#casters}; empty if there are none. */
   private final long[] casters;
 
   /** By how much they darken what is there: the square, in levels². */
@@ -49,8 +49,9 @@ final class CornerGrid {
    * Makes a grid for a picture.
    *
    * @param images whether there are images to be looked at
+   * @param shadows whether anything throws shadows
    */
-  CornerGrid(int width, int height, boolean images) {
+  CornerGrid(int width, int height, boolean images, boolean shadows) {
     stride = width + 1;
     rows = height + 1;
     signature = new long[stride * rows];
@@ -58,8 +59,8 @@ final class CornerGrid {
     rgb = new double[3 * stride * rows];
     levels = new float[3 * stride * rows];
     random = new boolean[stride * rows];
-    casters = new long[stride * rows];
-    kept = new float[stride * rows];
+    casters = new long[shadows ? stride * rows : 0];
+    kept = new float[casters.length];
     cut = new float[stride * rows];
     image = new float[images ? 2 * stride * rows : 0];
   }
@@ -67,12 +68,15 @@ final class CornerGrid {
   /** Traces a corner; one that is not finite is black and unlike any other. */
   void trace(Probe probe, LevelScale scale, int x, int y) {
     int at = y * stride + x;
-    boolean finite = probe.traceWatching(x, y);
+    boolean shadows = casters.length > 0;
+    boolean finite = shadows ? probe.traceWatching(x, y) : probe.trace(x, y);
     signature[at] = finite ? probe.signature() : at;
     first[at] = probe.first();
     random[at] = probe.isRandom();
-    casters[at] = probe.casters();
-    kept[at] = finite && casters[at] != 0 ? (float) probe.kept(scale) : 0;
+    if (shadows) {
+      casters[at] = probe.casters();
+      kept[at] = finite && casters[at] != 0 ? (float) probe.kept(scale) : 0;
+    }
     rgb[3 * at] = finite ? probe.r() : 0;
     rgb[3 * at + 1] = finite ? probe.g() : 0;
     rgb[3 * at + 2] = finite ? probe.b() : 0;
@@ -139,6 +143,9 @@ final class CornerGrid {
    * pixel: the square of a difference, in levels²; 0 where all corners are in the same shadows.
    */
   float lightBetweenShadows(int x, int y) {
+    if (casters.length == 0) {
+      return 0;
+    }
     int a = y * stride + x;
     int c = a + stride;
     long here = casters[a];

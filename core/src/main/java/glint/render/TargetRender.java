@@ -35,7 +35,9 @@ final class TargetRender implements Method {
     this.goal = goal;
     this.aovs = aovs;
     film = new Film(image);
-    corners = new CornerGrid(image.width(), image.height(), scene.plan().images().used());
+    boolean images = scene.plan().images().used();
+    boolean shadows = scene.plan().shadows().used();
+    corners = new CornerGrid(image.width(), image.height(), images, shadows);
     brackets = new Brackets(corners, settings.seed());
   }
 

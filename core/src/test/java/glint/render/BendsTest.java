@@ -21,7 +21,7 @@ class BendsTest {
       @ForAll @IntRange(min = 1, max = 4) int things,
       @ForAll long seed) {
     Random random = new Random(seed);
-    CornerGrid corners = new CornerGrid(width, height, false);
+    CornerGrid corners = new CornerGrid(width, height, false, false);
     for (int i = 0; i < corners.signature.length; i++) {
       corners.signature[i] = random.nextInt(things);
     }
@@ -46,7 +46,7 @@ class BendsTest {
   @Property(tries = 50)
   void aParabolaBendsEverywhereAlike(@ForAll @IntRange(min = 1, max = 40) int bend) {
     double c = bend * 1e-3;
-    CornerGrid corners = new CornerGrid(5, 4, false);
+    CornerGrid corners = new CornerGrid(5, 4, false, false);
     for (int i = 0; i < corners.signature.length; i++) {
       int x = i % corners.stride;
       int y = i / corners.stride;

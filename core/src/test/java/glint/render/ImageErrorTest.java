@@ -124,7 +124,7 @@ class ImageErrorTest {
   private static int leaps(Scene.Builder scene, boolean images) {
     Prepared prepared = Prepared.of(scene.build());
     Probe probe = new Probe(prepared, settings(1).following(1e-6), (PixelWatch) null);
-    CornerGrid corners = new CornerGrid(SIZE, SIZE, images);
+    CornerGrid corners = new CornerGrid(SIZE, SIZE, images, false);
     for (int i = 0; i < (SIZE + 1) * (SIZE + 1); i++) {
       corners.trace(probe, LevelScale.of(Transfer.SRGB), i % (SIZE + 1), i / (SIZE + 1));
     }

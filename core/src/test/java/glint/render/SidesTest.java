@@ -18,7 +18,7 @@ class SidesTest {
   void everySideJoinsItsTwoCorners(
       @ForAll @IntRange(min = 1, max = 9) int width,
       @ForAll @IntRange(min = 1, max = 9) int height) {
-    CornerGrid corners = new CornerGrid(width, height, false);
+    CornerGrid corners = new CornerGrid(width, height, false, false);
     Sides sides = new Sides(corners);
     Set<Integer> numbers = new HashSet<>();
     for (int y = 0; y < height; y++) {

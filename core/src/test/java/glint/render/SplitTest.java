@@ -86,7 +86,7 @@ class SplitTest {
   }
 
   private static CornerGrid corners(long[] signatures) {
-    CornerGrid corners = new CornerGrid(1, 1, false);
+    CornerGrid corners = new CornerGrid(1, 1, false, false);
     for (int i = 0; i < 4; i++) {
       corners.signature[i] = signatures[i];
       corners.rgb[3 * i] = signatures[i] == 1 ? 0.25 : 0.35;
