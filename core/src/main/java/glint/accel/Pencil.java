@@ -145,11 +145,7 @@ public final class Pencil {
       return Cells.MANY;
     }
     if (parallel) {
-      return switch (axis) {
-        case 0 -> cells.list(0, ray.oy - ray.ox * slopeV, ray.oz - ray.ox * slopeW);
-        case 1 -> cells.list(0, ray.oz - ray.oy * slopeV, ray.ox - ray.oy * slopeW);
-        default -> cells.list(0, ray.ox - ray.oz * slopeV, ray.oy - ray.oz * slopeW);
-      };
+      return listAlong(ray);
     }
     double x = begins ? ray.dx : -ray.dx;
     double y = begins ? ray.dy : -ray.dy;
@@ -164,6 +160,14 @@ public final class Pencil {
       return cells.list(y > 0 ? 3 : 2, z / ay, x / ay);
     }
     return cells.list(z > 0 ? 5 : 4, x / az, y / az);
+  }
+
+  private int listAlong(Ray ray) {
+    return switch (axis) {
+      case 0 -> cells.list(0, ray.oy - ray.ox * slopeV, ray.oz - ray.ox * slopeW);
+      case 1 -> cells.list(0, ray.oz - ray.oy * slopeV, ray.ox - ray.oy * slopeW);
+      default -> cells.list(0, ray.ox - ray.oz * slopeV, ray.oy - ray.oz * slopeW);
+    };
   }
 
   /** Returns whether a ray is one of these, as far as that can be told. */

@@ -27,6 +27,22 @@ final class BoxKernel {
     int x = below(ray.dx);
     int y = below(ray.dy);
     int z = below(ray.dz);
+    long behind =
+        opposite(data[at + 3 - x] - ray.ox, ray.dx)
+            | opposite(data[at + 4 - y] - ray.oy, ray.dy)
+            | opposite(data[at + 5 - z] - ray.oz, ray.dz);
+    if (behind >= 0) {
+      intersectAhead(data, at, ray, hit, id, x, y, z);
+    }
+  }
+
+  /** Returns a number below zero where two numbers have opposite signs, and so their quotient. */
+  private static long opposite(double a, double b) {
+    return Double.doubleToRawLongBits(a) ^ Double.doubleToRawLongBits(b);
+  }
+
+  private static void intersectAhead(
+      double[] data, int at, Ray ray, Hit hit, int id, int x, int y, int z) {
     double enterX = (data[at + x] - ray.ox) / ray.dx;
     double enterY = (data[at + 1 + y] - ray.oy) / ray.dy;
     double enterZ = (data[at + 2 + z] - ray.oz) / ray.dz;
