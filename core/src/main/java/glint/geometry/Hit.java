@@ -85,6 +85,9 @@ public final class Hit {
   /** Whether {@link #face} turned the normal over (-1) or left it (1). */
   int side;
 
+  /** Whether what was hit is a convex primitive, not a model, and the normal its own. */
+  boolean convex;
+
   /** The number of the surface, in scene order. */
   public int surface;
 
@@ -261,6 +264,7 @@ public final class Hit {
     liftY = other.liftY;
     liftZ = other.liftZ;
     side = other.side;
+    convex = other.convex;
     surface = other.surface;
     offset = other.offset;
     movedX = other.movedX;
@@ -278,6 +282,7 @@ public final class Hit {
     partSlot = other.partSlot;
     u = other.u;
     v = other.v;
+    convex = false;
     surface = other.surface;
   }
 
@@ -313,16 +318,17 @@ public final class Hit {
    */
   public void spawn(double dx, double dy, double dz, int toSide, Ray ray) {
     double rise = toSide * (dx * nx + dy * ny + dz * nz);
-    if (!(rise < 0)) {
+    if (rise < 0) {
+      double more = toSide * (16 * Rounding.U - 2 * rise);
+      double x = dx + more * nx;
+      double y = dy + more * ny;
+      double z = dz + more * nz;
+      double length = Math.sqrt(x * x + y * y + z * z);
+      leave(toSide * offset, x / length, y / length, z / length, ray);
+    } else {
       leave(toSide * offset, dx, dy, dz, ray);
-      return;
     }
-    double more = toSide * (16 * Rounding.U - 2 * rise);
-    double x = dx + more * nx;
-    double y = dy + more * ny;
-    double z = dz + more * nz;
-    double length = Math.sqrt(x * x + y * y + z * z);
-    leave(toSide * offset, x / length, y / length, z / length, ray);
+    ray.left = toSide == side && convex ? primitive : NONE;
   }
 
   private void leave(double along, double dx, double dy, double dz, Ray ray) {
@@ -337,6 +343,8 @@ public final class Hit {
     double oz = pz + liftZ + offset * nz;
     ray.set(ox, oy, oz, dx, dy, dz);
     ray.time = time;
+    boolean outward = side > 0 && dx * nx + dy * ny + dz * nz >= 0;
+    ray.left = outward && convex ? primitive : NONE;
   }
 
   /**

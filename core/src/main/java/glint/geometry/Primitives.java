@@ -205,6 +205,9 @@ public final class Primitives {
     int at = start(h);
     int k = kind(h);
     int id = number(h);
+    if (id == ray.left) {
+      return;
+    }
     if (k >= TRANSFORMED) {
       TransformedKernel.toObject(data, at, ray, local);
       intersect(k - TRANSFORMED, at + TransformedKernel.SIZE, local, hit, id);
@@ -226,9 +229,11 @@ public final class Primitives {
       return;
     }
     int id = number(head[slot]);
-    intersect(commonKind, firstBounded + (slot - unbounded) * commonSize, ray, hit, id);
-    if (hit.primitive == id) {
-      hit.slot = slot;
+    if (id != ray.left) {
+      intersect(commonKind, firstBounded + (slot - unbounded) * commonSize, ray, hit, id);
+      if (hit.primitive == id) {
+        hit.slot = slot;
+      }
     }
   }
 
@@ -269,6 +274,7 @@ public final class Primitives {
     int k = kind(head[slot]);
     hit.surface = surface[slot];
     hit.curved = false;
+    hit.convex = !isInstance(slot);
     if (k == INSTANCE || k == INSTANCE_IN_PARTS) {
       instances.resolve(at, hit);
       hit.surface += k == INSTANCE_IN_PARTS ? instances.part(at, hit) : 0;

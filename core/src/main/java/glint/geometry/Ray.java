@@ -34,6 +34,9 @@ public final class Ray {
   /** Of the instance {@link #after}, the last triangle that does not count. */
   int afterPart;
 
+  /** The number of the convex primitive that it leaves outward, which it does not meet again. */
+  int left;
+
   /** What a kernel's parameter is multiplied by to get that of the ray in the world. */
   double unit = 1;
 
@@ -64,10 +67,11 @@ public final class Ray {
     this.dz = dz;
     tMin = 0;
     after = Hit.NONE;
+    left = Hit.NONE;
     sheared = false;
   }
 
-  /** Makes this the same ray as another. */
+  /** Makes this the same ray as another, which may go on among other primitives. */
   public void copy(Ray other) {
     set(other.ox, other.oy, other.oz, other.dx, other.dy, other.dz);
     tMin = other.tMin;

@@ -276,6 +276,39 @@ class KernelsTest {
     }
   }
 
+  /** What a ray leaves outward is not tried; from inside, it is met on its far side. */
+  @Test
+  void onlyWhatIsLeftOutwardIsLeftOut() {
+    Primitives p = of(new Sphere(v(0, 0, 0), 1), Transform.IDENTITY);
+    Ray ray = new Ray();
+    ray.set(-3, 0.5, 0, 1, 0, 0);
+    Hit outside = closest(p, ray);
+    p.resolve(ray, outside, local);
+    outside.face(ray);
+    Ray next = new Ray();
+    outside.spawn(-1, 0, 0, 1, next);
+    assertEquals(outside.primitive, next.left);
+    outside.spawnTo(-3, 3, 0, next);
+    assertEquals(outside.primitive, next.left);
+    outside.spawnToLight(1, 0, 0, next); // into it
+    assertTrue(closest(p, next).found());
+    outside.spawn(1, 0, 0, -1, next); // bent
+    Hit inside = closest(p, next);
+    assertTrue(inside.found());
+    p.resolve(next, inside, local);
+    inside.face(next);
+    inside.spawn(-0.6, 0.8, 0, 1, ray); // mirrored within
+    assertTrue(closest(p, ray).found());
+    inside.spawn(1, 0, 0, -1, ray); // bent outward
+    assertEquals(inside.primitive, ray.left);
+    Ray copy = new Ray();
+    copy.copy(ray); // perhaps for other primitives
+    assertEquals(Hit.NONE, copy.left);
+    inside.copyPart(outside); // of another primitive there
+    inside.spawn(1, 0, 0, -1, ray);
+    assertEquals(Hit.NONE, ray.left);
+  }
+
   private static boolean closed(Surface s) {
     return !(s instanceof Plane || s instanceof Triangle || s instanceof Quad);
   }
