@@ -82,11 +82,8 @@ public final class Hit {
   double liftY;
   double liftZ;
 
-  /** Whether {@link #face} turned the normal over (-1) or left it (1). */
+  /** Whether {@link #face} turned the normal over (-1) or left it (1); 0 if it is of another. */
   int side;
-
-  /** Whether what was hit is a convex primitive, not a model, and the normal its own. */
-  boolean convex;
 
   /** The number of the surface, in scene order. */
   public int surface;
@@ -264,7 +261,6 @@ public final class Hit {
     liftY = other.liftY;
     liftZ = other.liftZ;
     side = other.side;
-    convex = other.convex;
     surface = other.surface;
     offset = other.offset;
     movedX = other.movedX;
@@ -282,7 +278,7 @@ public final class Hit {
     partSlot = other.partSlot;
     u = other.u;
     v = other.v;
-    convex = false;
+    side = 0;
     surface = other.surface;
   }
 
@@ -328,7 +324,7 @@ public final class Hit {
     } else {
       leave(toSide * offset, dx, dy, dz, ray);
     }
-    ray.left = toSide == side && convex ? primitive : NONE;
+    ray.left = toSide == side ? primitive : NONE;
   }
 
   private void leave(double along, double dx, double dy, double dz, Ray ray) {
@@ -344,7 +340,7 @@ public final class Hit {
     ray.set(ox, oy, oz, dx, dy, dz);
     ray.time = time;
     boolean outward = side > 0 && dx * nx + dy * ny + dz * nz >= 0;
-    ray.left = outward && convex ? primitive : NONE;
+    ray.left = outward ? primitive : NONE;
   }
 
   /**

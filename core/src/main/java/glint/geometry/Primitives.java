@@ -274,7 +274,6 @@ public final class Primitives {
     int k = kind(head[slot]);
     hit.surface = surface[slot];
     hit.curved = false;
-    hit.convex = !isInstance(slot);
     if (k == INSTANCE || k == INSTANCE_IN_PARTS) {
       instances.resolve(at, hit);
       hit.surface += k == INSTANCE_IN_PARTS ? instances.part(at, hit) : 0;

@@ -34,7 +34,7 @@ public final class Ray {
   /** Of the instance {@link #after}, the last triangle that does not count. */
   int afterPart;
 
-  /** The number of the convex primitive that it leaves outward, which it does not meet again. */
+  /** The primitive that it leaves outward and does not meet again if that is convex: no model. */
   int left;
 
   /** What a kernel's parameter is multiplied by to get that of the ray in the world. */

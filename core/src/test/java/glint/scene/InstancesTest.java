@@ -173,6 +173,26 @@ class InstancesTest {
 
   /** All four triangles that meet at a corner lie at one parameter; each is met once, in order. */
   @Test
+  void aRayThatLeavesOneTriangleOfAnInstanceMeetsAnother() {
+    double[] points = {-1, -1, 0, 1, -1, 0, 0, 1, 0, 1, -1, 2};
+    Mesh floorAndWall = new Mesh(points, new int[] {0, 1, 2, 1, 3, 2});
+    Scene.Builder scene = scene(8).place(Placement.of(floorAndWall, Material.WHITE));
+    Transform aside = Transform.translate(v(0, 9, 0));
+    Scene two = scene.place(new Placement(floorAndWall, aside, Material.WHITE)).build();
+    Intersector search = Prepared.of(two).intersector();
+    Ray ray = new Ray();
+    ray.set(0, -0.5, 3, 0, 0, -1);
+    Hit hit = new Hit();
+    search.closest(ray, 9, hit);
+    search.resolve(ray, hit);
+    hit.face(ray);
+    hit.spawn(1, 0, 0, 1, ray);
+    assertTrue(search.any(ray, 9, new Hit()));
+    hit.spawnToLight(1, 0, 0, ray);
+    assertTrue(search.any(ray, 9, new Hit()));
+  }
+
+  @Test
   void goingOnBehindAHitMeetsEveryTriangleOnce() {
     double[] points = {0, 0, 1, 1, 0, 0, 0, 1, 0, -1, 0, 0, 0, -1, 0};
     Mesh pyramid = new Mesh(points, new int[] {0, 1, 2, 0, 2, 3, 0, 3, 4, 0, 4, 1});
