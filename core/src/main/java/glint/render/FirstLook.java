@@ -65,7 +65,10 @@ final class FirstLook {
     }
   }
 
-  /** Looks into the middle of pixels at edges, and around those where that has found anything. */
+  /**
+   * Looks into the middle of pixels that edges cross or crowd around, and around those where that
+   * has found anything.
+   */
   private void check() throws InterruptedException {
     Selection found = new Selection();
     crew.run(

@@ -9,6 +9,9 @@ final class Survey {
   /** More than nine pixels. */
   private static final int MANY = 16;
 
+  /** With less around, five split pixels or a busy one, a smooth pixel is what it seems to be. */
+  private static final int CROWDED = 3;
+
   /** What a pixel of each kind counts, so that one sum holds the split ones and the busy ones. */
   private static final int[] EDGES = {0, 1, MANY};
 
@@ -73,13 +76,13 @@ final class Survey {
   }
 
   /**
-   * Looks into the middle of a pixel that is split or beside an edge, once.
+   * Looks into the middle of a pixel that is split or has much around it, once.
    *
    * @return whether something is there that no corner shows: then nothing is taken for known
    */
   boolean surprises(int pixel) {
-    boolean idle = film.kind[pixel] == Film.SMOOTH && film.surroundings[pixel] == 0;
-    if (idle || film.kind[pixel] == Film.BUSY || film.checked[pixel]) {
+    boolean plain = film.kind[pixel] == Film.SMOOTH && film.surroundings[pixel] < CROWDED;
+    if (plain || film.kind[pixel] == Film.BUSY || film.checked[pixel]) {
       return false;
     }
     film.checked[pixel] = true;

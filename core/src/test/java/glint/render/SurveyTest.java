@@ -2,9 +2,19 @@ package glint.render;
 
 import static org.junit.jupiter.api.Assertions.assertArrayEquals;
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import glint.image.Image;
+import glint.math.Vector3d;
+import glint.scene.Camera;
+import glint.scene.Orthographic;
+import glint.scene.Prepared;
+import glint.scene.Scene;
+import java.util.Arrays;
+import java.util.OptionalInt;
 import java.util.Random;
+import java.util.Set;
 import net.jqwik.api.ForAll;
 import net.jqwik.api.Property;
 import net.jqwik.api.constraints.IntRange;
@@ -55,5 +65,31 @@ class SurveyTest {
     count(new Survey(film, new CornerGrid(3, 3, false, false), null), film);
     int[] grades = {0, 1, 1, 2, 2, 3, 3, 3, 3};
     assertEquals(4 * grades[busy] + grades[split], film.surroundings[4]);
+  }
+
+  /** What no corner shows is found in every split pixel, and in smooth ones in a crowd of edges. */
+  @Property(tries = 200)
+  void middlesAreLookedAtWhereEdgesAre(@ForAll @IntRange(max = 8) int busy, @ForAll long seed) {
+    Random random = new Random(seed);
+    int split = random.nextInt(9 - busy);
+    Film film = new Film(new Image(3, 3));
+    for (int i = 0; i < busy + split; i++) {
+      film.kind[i < 4 ? i : i + 1] = i < busy ? Film.BUSY : Film.SPLIT; // all but the middle
+    }
+    Camera camera =
+        Camera.of(new Vector3d(0, 0, 9), Vector3d.ZERO, new Vector3d(0, 1, 0), new Orthographic(3));
+    Scene empty = new Scene.Builder("empty").size(3, 3).camera(camera).build();
+    RenderSettings settings =
+        new RenderSettings(3, 3, new Goal.Error(1), 0, OptionalInt.empty(), 1, 8, Set.of());
+    CornerGrid corners = new CornerGrid(3, 3, false, false);
+    Arrays.fill(corners.signature, 1);
+    Survey survey = new Survey(film, corners, new Probe(Prepared.of(empty), settings));
+    count(survey, film);
+    assertEquals(busy > 0 || split > 4, survey.surprises(4));
+    film.kind[4] = Film.SPLIT;
+    film.checked[4] = false;
+    assertTrue(survey.surprises(4));
+    assertFalse(survey.surprises(4));
+    assertEquals(Film.BUSY, film.kind[4]);
   }
 }
