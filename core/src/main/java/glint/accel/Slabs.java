@@ -46,9 +46,7 @@ final class Slabs {
    * @param size the largest coordinate of the boxes
    */
   void set(Ray ray, double size, double conditioning) {
-    double reach = size + Math.max(Math.abs(ray.ox), Math.max(Math.abs(ray.oy), Math.abs(ray.oz)));
-    reach += 0 * (reach + ray.dx + ray.dy + ray.dz); // NaN, which no box is near, if not finite
-    double slack = SLACK * conditioning * reach;
+    double slack = SLACK * conditioning * reach(ray, size);
     double dx = steep(ray.dx);
     double dy = steep(ray.dy);
     double dz = steep(ray.dz);
@@ -64,6 +62,12 @@ final class Slabs {
     lowX = dx > 0 ? 0 : 3;
     lowY = dy > 0 ? 1 : 4;
     lowZ = dz > 0 ? 2 : 5;
+  }
+
+  /** Returns the largest coordinate at hand, or NaN, which no box is near, if not all is finite. */
+  private static double reach(Ray ray, double size) {
+    double reach = size + Math.max(Math.abs(ray.ox), Math.max(Math.abs(ray.oy), Math.abs(ray.oz)));
+    return reach + 0 * (reach + ray.dx + ray.dy + ray.dz);
   }
 
   private static double steep(double d) {
