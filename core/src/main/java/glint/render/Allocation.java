@@ -46,6 +46,9 @@ final class Allocation {
   /** The pixels that may be refined, in row order. */
   private int[] active;
 
+  /** The variance of each of them, as the last {@link #total} found it. */
+  private double[] variances = {};
+
   /** The bin of the next step of each of them. */
   private int[] next = {};
 
@@ -85,9 +88,8 @@ final class Allocation {
       int pixel = active[i];
       boolean plain = film.kind[pixel] == Film.SMOOTH && film.level[pixel] == 0;
       if (plain && next[i] < floor) {
-        double variance = model.variance(pixel);
-        quiet += variance;
-        quietSquares += variance * variance;
+        quiet += variances[i];
+        quietSquares += variances[i] * variances[i];
       } else {
         next[count] = next[i];
         found[count++] = pixel;
@@ -112,8 +114,10 @@ final class Allocation {
   double total() {
     double sum = quiet;
     double squares = quietSquares;
-    for (int pixel : active) {
-      double variance = model.variance(pixel);
+    variances = active.length > variances.length ? new double[active.length] : variances;
+    for (int i = 0; i < active.length; i++) {
+      double variance = model.variance(active[i]);
+      variances[i] = variance;
       sum += variance;
       squares += variance * variance;
     }
@@ -141,8 +145,7 @@ final class Allocation {
     double nothing = NOTHING * goal / film.kind.length;
     next = active.length > next.length ? new int[active.length] : next;
     for (int i = 0; i < active.length; i++) {
-      double variance = model.variance(active[i]);
-      next[i] = foresee(active[i], variance, nothing);
+      next[i] = variances[i] > nothing ? foresee(active[i], variances[i], nothing) : 0;
     }
     double left = margin * total;
     threshold = BINS;
@@ -156,12 +159,10 @@ final class Allocation {
    * Gathers what the next steps gain, down to what is nothing; none counts for more than one before
    * it.
    *
-   * @return the bin of the first of them, or 0
+   * @param now the pixel's variance, which is more
+   * @return the bin of the first of them
    */
   private int foresee(int pixel, double now, double nothing) {
-    if (!(now > nothing)) {
-      return 0;
-    }
     double variance = now;
     double searched = searches(pixel) ? film.own[pixel] - film.doubt[pixel] : 0;
     double samples = film.samples(pixel);
