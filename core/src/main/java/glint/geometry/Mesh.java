@@ -184,7 +184,7 @@ public final class Mesh implements Surface {
   }
 
   /** Returns the corners of the box around all points. */
-  List<Vector3d> corners() {
+  public List<Vector3d> corners() {
     List<Vector3d> corners = new ArrayList<>();
     for (int i = 0; i < 8; i++) {
       corners.add(new Vector3d(box[3 * (i & 1)], box[1 + 3 * (i >> 1 & 1)], box[2 + 3 * (i >> 2)]));

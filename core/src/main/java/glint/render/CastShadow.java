@@ -23,6 +23,9 @@ final class CastShadow {
   private final Ray ray = new Ray();
   private final Hit hit = new Hit();
 
+  /** What the last light looked for saw of what casts the shadow. */
+  private List<Vector3d> caster = List.of();
+
   /**
    * Looks for shadows in a scene.
    *
@@ -50,9 +53,15 @@ final class CastShadow {
       double size = outline.get(0).minus(middle).maxAbs();
       outline = Outline.of(p.surface(), p.toWorld(), middle.minus(way.times(FAR * size)));
     }
+    caster = outline;
     return outline.isEmpty() || !falls(middle(outline), surface, light)
         ? List.of()
         : onto(outline, light);
+  }
+
+  /** Returns what the last light asked for sees of what may cast a shadow, in the world. */
+  List<Vector3d> caster() {
+    return caster;
   }
 
   /** Returns the number of the surface that the last shadow found falls onto. */
@@ -60,7 +69,7 @@ final class CastShadow {
     return hit.surface;
   }
 
-  private static Vector3d middle(List<Vector3d> points) {
+  static Vector3d middle(List<Vector3d> points) {
     Vector3d sum = Vector3d.ZERO;
     for (Vector3d p : points) {
       sum = sum.plus(p);
@@ -90,11 +99,13 @@ final class CastShadow {
   private List<Vector3d> onto(List<Vector3d> points, int light) {
     Vector3d normal = new Vector3d(hit.nx, hit.ny, hit.nz);
     Vector3d place = new Vector3d(hit.px, hit.py, hit.pz);
+    double facing = normal.dot(lights.way(light, place));
     List<Vector3d> moved = new ArrayList<>();
     for (Vector3d p : points) {
       Vector3d way = lights.way(light, p);
-      double s = normal.dot(place.minus(p)) / normal.dot(way);
-      if (!(s > 0 && s < Double.POSITIVE_INFINITY)) {
+      double towards = normal.dot(way);
+      double s = normal.dot(place.minus(p)) / towards; // less than 0 where it stands in the plane
+      if (!(facing * towards > 0 && Math.abs(s) < Double.POSITIVE_INFINITY)) {
         return List.of();
       }
       moved.add(p.plus(way.times(s)));

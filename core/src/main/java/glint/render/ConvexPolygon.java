@@ -50,6 +50,14 @@ final class ConvexPolygon {
     }
   }
 
+  /** Makes it so many times as large, seen from the origin. */
+  void scale(double factor) {
+    for (int i = 0; i < count; i++) {
+      x[i] *= factor;
+      y[i] *= factor;
+    }
+  }
+
   /** Makes this the convex hull of the points added (Andrew's monotone chain, 1979). */
   void close() {
     sort();

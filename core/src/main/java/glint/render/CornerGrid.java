@@ -45,6 +45,9 @@ final class CornerGrid {
   /** A bound on the radiance left out. */
   final float[] cut;
 
+  /** Whether there was no ray: what is there is told from the corners around. */
+  final boolean[] filledIn;
+
   /**
    * Makes a grid for a picture.
    *
@@ -62,6 +65,7 @@ final class CornerGrid {
     casters = new long[shadows ? stride * rows : 0];
     kept = new float[casters.length];
     cut = new float[stride * rows];
+    filledIn = new boolean[stride * rows];
     image = new float[images ? 2 * stride * rows : 0];
   }
 
@@ -87,6 +91,52 @@ final class CornerGrid {
     if (image.length > 0) {
       image[2 * at] = (float) probe.imageX();
       image[2 * at + 1] = (float) probe.imageY();
+    }
+  }
+
+  /** Returns whether the eight corners so far around one met the same in the same shadows. */
+  boolean isAlike(int at, int step) {
+    for (int row = at - step * stride; row <= at + step * stride; row += step * stride) {
+      for (int other = row - step; other <= row + step; other += step) {
+        boolean alike = signature[other] == signature[at];
+        if (!alike || (casters.length > 0 && casters[other] != casters[at])) {
+          return false;
+        }
+      }
+    }
+    return true;
+  }
+
+  /** Returns whether second differences between corners so far apart are at most so many levels. */
+  boolean isEven(int at, int step, float most) {
+    for (int i = 3 * at; i < 3 * at + 3; i++) {
+      float twice = 2 * levels[i];
+      int down = 3 * step * stride;
+      if (!(Math.abs(levels[i - 3 * step] - twice + levels[i + 3 * step]) <= most
+          && Math.abs(levels[i - down] - twice + levels[i + down]) <= most)) {
+        return false;
+      }
+    }
+    return true;
+  }
+
+  /** Fills a corner in by a cubic through four on a line with it, of which two are next to it. */
+  void fill(int at, int step) {
+    int a = at - step;
+    signature[at] = signature[a];
+    first[at] = first[a];
+    random[at] = false;
+    if (casters.length > 0) {
+      casters[at] = casters[a];
+      kept[at] = Math.max(kept[a], kept[at + step]);
+    }
+    cut[at] = 0;
+    filledIn[at] = true;
+    for (int i = 3 * at; i < 3 * at + 3; i++) {
+      double near = rgb[i - 3 * step] + rgb[i + 3 * step];
+      double far = rgb[i - 9 * step] + rgb[i + 9 * step];
+      rgb[i] = Math.max(0, (9 * near - far) / 16);
+      levels[i] = 0.5f * (levels[i - 3 * step] + levels[i + 3 * step]);
     }
   }
 

@@ -1,6 +1,9 @@
 package glint.render;
 
-/** Traces all corners: first some of them, for a coarse picture, then tile by tile the others. */
+/**
+ * Traces all corners, but for those that others tell all of: first some of them, for a coarse
+ * picture, then tile by tile every second one, and then what is left.
+ */
 final class CornerPass {
 
   /** The first picture has a ray for every block of so many pixels, across and down. */
@@ -11,8 +14,16 @@ final class CornerPass {
   private final LevelScale scale;
   private final Tiles tiles;
   private final TileCount done;
+  private final CalmCorners calm;
 
-  CornerPass(Film film, CornerGrid corners, LevelScale scale, Tiles tiles, TileCount done) {
+  CornerPass(
+      Film film,
+      CornerGrid corners,
+      LevelScale scale,
+      Tiles tiles,
+      TileCount done,
+      CalmCorners calm) {
+    this.calm = calm;
     this.film = film;
     this.corners = corners;
     this.scale = scale;
@@ -31,6 +42,8 @@ final class CornerPass {
           }
         });
     done.whole(crew.workers(), Double.POSITIVE_INFINITY);
+    crew.run(tiles.count(), this::traceFirst);
+    calm.find(crew);
     crew.run(
         tiles.count(),
         (refiner, i) -> {
@@ -42,7 +55,7 @@ final class CornerPass {
 
   /** Traces a corner ahead of the others, and shows it in all of its block. */
   private void traceCoarse(Refiner refiner, int x, int y) {
-    corners.trace(refiner.probe, scale, x, y);
+    calm.trace(refiner.probe, x, y);
     for (int row = y; row < Math.min(y + COARSE, film.height); row++) {
       for (int column = x; column < Math.min(x + COARSE, film.width); column++) {
         corners.show(x, y, film.image, column, row);
@@ -50,14 +63,29 @@ final class CornerPass {
     }
   }
 
+  /** Traces the corners of a tile from which others may be told. */
+  private void traceFirst(Refiner refiner, int tile) {
+    int step = CalmCorners.STEP;
+    for (int y = first(tiles.beginY(tile)); y < endY(tile); y += step) {
+      for (int x = first(tiles.beginX(tile)); x < endX(tile); x += step) {
+        if (x % COARSE != 0 || y % COARSE != 0 || x == film.width || y == film.height) {
+          calm.trace(refiner.probe, x, y);
+        }
+      }
+    }
+  }
+
+  /** Returns the first number, from one on, of a row or column from which others may be told. */
+  private static int first(int from) {
+    return from + Math.floorMod(-from, CalmCorners.STEP);
+  }
+
   private void traceTile(Refiner refiner, int tile) {
-    int x1 = tiles.endX(tile);
-    int y1 = tiles.endY(tile);
-    x1 += x1 == film.width ? 1 : 0;
-    y1 += y1 == film.height ? 1 : 0;
+    int x1 = endX(tile);
+    int y1 = endY(tile);
     for (int y = tiles.beginY(tile); y < y1; y++) {
       for (int x = tiles.beginX(tile); x < x1; x++) {
-        if (x % COARSE != 0 || y % COARSE != 0 || x == film.width || y == film.height) {
+        if (!CalmCorners.isFirst(x, y) && !calm.fill(x, y)) {
           corners.trace(refiner.probe, scale, x, y);
         }
         if (x < film.width && y < film.height) {
@@ -65,5 +93,14 @@ final class CornerPass {
         }
       }
     }
+  }
+
+  /** Returns where the corners of a tile end, with those at the end of the image. */
+  private int endX(int tile) {
+    return tiles.endX(tile) == film.width ? film.width + 1 : tiles.endX(tile);
+  }
+
+  private int endY(int tile) {
+    return tiles.endY(tile) == film.height ? film.height + 1 : tiles.endY(tile);
   }
 }

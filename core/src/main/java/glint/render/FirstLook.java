@@ -16,6 +16,7 @@ final class FirstLook {
   private final Crew<Refiner> crew;
   private final Tiles tiles;
   private final TileCount done;
+  private final CalmCorners calm;
 
   FirstLook(
       SmallThings small,
@@ -24,7 +25,9 @@ final class FirstLook {
       LevelScale scale,
       Crew<Refiner> crew,
       Tiles tiles,
-      TileCount done) {
+      TileCount done,
+      CalmCorners calm) {
+    this.calm = calm;
     this.small = small;
     this.film = film;
     this.corners = corners;
@@ -36,7 +39,7 @@ final class FirstLook {
 
   /** Looks at all pixels. */
   void run() throws InterruptedException {
-    new CornerPass(film, corners, scale, tiles, done).run(crew);
+    new CornerPass(film, corners, scale, tiles, done, calm).run(crew);
     crew.run(film.height, (refiner, y) -> refiner.survey.classify(y));
     aim();
     crew.run(film.height, (refiner, y) -> refiner.survey.count(y, 0, film.width));

@@ -60,11 +60,27 @@ final class Glimpses {
    * @param where in which pixels it may be seen
    */
   void add(ConvexPolygon whole, int surface, boolean shadow, Condition where) {
+    visit(
+        whole,
+        whole.width() < THIN,
+        (x, y) -> {
+          if (where.holds(x, y)) {
+            note(x, y, surface, shadow);
+          }
+        });
+  }
+
+  /**
+   * Visits the pixels that an outline meets.
+   *
+   * @param whole the outline, closed
+   * @param all whether also those of which it covers a corner
+   */
+  void visit(ConvexPolygon whole, boolean all, Tiles.Visitor visitor) {
     inImage.clip(whole, 0, 0, width, height);
     if (inImage.isEmpty()) {
       return;
     }
-    boolean thin = whole.width() < THIN;
     int top = (int) inImage.least(true);
     int bottom = Math.min(height - 1, (int) inImage.greatest(true));
     for (int y = top; y <= bottom; y++) {
@@ -77,11 +93,11 @@ final class Glimpses {
       int left = (int) band.least(false);
       int right = Math.min(width - 1, (int) band.greatest(false));
       for (int x = left; x <= right; x++) {
-        int covered = thin ? -1 : Math.max(coveredUpTo(x, above), coveredUpTo(x, below));
+        int covered = all ? -1 : Math.max(coveredUpTo(x, above), coveredUpTo(x, below));
         if (covered >= x) {
           x = covered;
-        } else if (where.holds(x, y)) {
-          note(x, y, surface, shadow);
+        } else {
+          visitor.visit(x, y);
         }
       }
     }

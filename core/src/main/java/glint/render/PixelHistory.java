@@ -12,7 +12,8 @@ import java.util.List;
  * @param value its linear value, bit for bit that of the image
  * @param error what it claims to be off by, in display levels
  * @param rays all camera rays through the pixel and its border, in the order in which they were
- *     traced: its corners, where edges were searched, and its samples
+ *     traced: those of its corners that others do not tell of, where edges were searched, and its
+ *     samples
  */
 public record PixelHistory(Rgb value, double error, List<Replay.Sample> rays) {
 

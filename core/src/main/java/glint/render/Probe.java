@@ -8,6 +8,7 @@ import glint.scene.Prepared;
 import glint.scene.View;
 import glint.trace.RayCounts;
 import glint.trace.Recorder;
+import glint.trace.Sight;
 import glint.trace.Tracer;
 import glint.trace.Veil;
 
@@ -82,6 +83,16 @@ final class Probe {
     boolean finite = trace(x, y);
     tracer.watchesShadows = false;
     return finite;
+  }
+
+  /** Sets whether the next rays find out how what they meet is seen. */
+  void watchSight(boolean watches) {
+    tracer.watchesSight = watches;
+  }
+
+  /** Returns how the last ray saw what it met, if that was to be found out. */
+  Sight sight() {
+    return tracer.sight;
   }
 
   /** Turns to a pixel, whose samples are traced next. */

@@ -32,6 +32,7 @@ final class Rounds {
   private final TileCount done;
 
   Rounds(
+      CalmCorners calm,
       SmallThings small,
       RenderSettings settings,
       Film film,
@@ -49,7 +50,7 @@ final class Rounds {
     allocation = new Allocation(film, model, hidden);
     Tiles tiles = new Tiles(settings);
     done = new TileCount(progress, tiles);
-    firstLook = new FirstLook(small, film, corners, scale, crew, tiles, done);
+    firstLook = new FirstLook(small, film, corners, scale, crew, tiles, done, calm);
     sampling = new Sampling(film, model, crew, done);
     audit = new Audit(film, model, hidden, scale, sampling, settings.seed());
   }

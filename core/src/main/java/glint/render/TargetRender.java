@@ -55,7 +55,17 @@ final class TargetRender implements Method {
     try (Crew<Refiner> crew = new Crew<>(refiners, cancelled, threads)) {
       SmallThings small = new SmallThings(scene, refiners.get(0).probe.view(), corners);
       Progress filling = aovs.isEmpty() ? progress : new Filling(progress);
-      rounds = new Rounds(small, settings, film, corners, brackets, scale, crew, filling);
+      rounds =
+          new Rounds(
+              new CalmCorners(scene, corners, scale, goal.levels()),
+              small,
+              settings,
+              film,
+              corners,
+              brackets,
+              scale,
+              crew,
+              filling);
       double error = rounds.run(goal.levels() * (1 - Cutoff.SHARE), deadline);
       look(crew);
       return traced(refiners, error);
@@ -136,7 +146,8 @@ final class TargetRender implements Method {
     int pixel = y * film.width + x;
     int searches = Math.max(0, brackets.steps(brackets.sides.top(x, y)));
     searches += Math.max(0, brackets.steps(brackets.sides.left(x, y)));
-    return 1 + searches + (film.checked[pixel] ? 1 : 0) + film.samples(pixel);
+    int corner = corners.filledIn[y * corners.stride + x] ? 0 : 1;
+    return corner + searches + (film.checked[pixel] ? 1 : 0) + film.samples(pixel);
   }
 
   private Traced traced(List<Refiner> refiners, double error) {

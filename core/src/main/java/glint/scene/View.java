@@ -154,6 +154,12 @@ public final class View {
     return (x - eye.x()) * forward.x() + (y - eye.y()) * forward.y() + (z - eye.z()) * forward.z();
   }
 
+  /** Returns how wide a pixel is, in scene units, so far away as a point is. */
+  public double pixel(Vector3d at) {
+    double distance = parallel ? 1 : at.minus(camera.position()).length();
+    return distance * 2 * halfHeight / height;
+  }
+
   /**
    * Finds the place in the image where a point is seen, the inverse of {@link #ray}.
    *

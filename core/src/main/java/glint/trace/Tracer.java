@@ -86,6 +86,12 @@ public final class Tracer {
   /** What shadows keep from where the last camera ray ends, if that was to be found out. */
   public final Veil veil = new Veil();
 
+  /** Whether the next calls of {@link #trace} find out about {@link #sight}. */
+  public boolean watchesSight;
+
+  /** How the last camera ray saw what it met, if that was to be found out. */
+  public final Sight sight = new Sight();
+
   /** Makes a tracer that tells nobody. */
   public Tracer(Prepared scene, int maxDepth, double negligible) {
     this(scene, maxDepth, negligible, null);
@@ -163,6 +169,7 @@ public final class Tracer {
     first = -1;
     signature.clear();
     veil.clear();
+    sight.clear();
     counts.camera++;
     Frame f = frame(0);
     f.ray.copy(ray);
@@ -209,6 +216,9 @@ public final class Tracer {
       signature.add(hit, boundary.surface);
       first = level + depth == 0 ? boundary.surface : first;
       Material material = scene.material(boundary.surface);
+      if (watchesSight) {
+        sight.meet(hit, material);
+      }
       direct.veil = watchesShadows && level + depth == 0 ? veil : null;
       direct.find(boundary.surface, hit, f.ray, f.interior, numbers, f.path);
       add(f, direct.r, direct.g, direct.b);
@@ -233,6 +243,9 @@ public final class Tracer {
       boolean reflects = matters(f, depth + 1);
       signature.add((reflects ? 1 : 0) + (refracts ? 2 : 0));
       if (reflects) {
+        if (watchesSight) {
+          sight.reflect(hit, boundary.surface);
+        }
         reflect(f, material.gloss());
       }
       if (refracts) {
