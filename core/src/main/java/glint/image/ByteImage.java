@@ -60,6 +60,16 @@ public final class ByteImage {
     return height;
   }
 
+  /** Returns the number of the first code of the pixel in a column and a row. */
+  public int at(int x, int y) {
+    return 3 * (y * width + x);
+  }
+
+  /** Returns a code, 0 to 255, by its number. */
+  public int code(int number) {
+    return rgb[number] & 0xff;
+  }
+
   /** Returns the code, 0 to 255, of a channel, 0 to 2, of the pixel in a column and a row. */
   public int code(int x, int y, int channel) {
     return rgb[3 * (y * width + x) + channel] & 0xff;

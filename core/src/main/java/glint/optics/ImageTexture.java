@@ -20,6 +20,11 @@ public final class ImageTexture implements Texture {
   /** The linear value of every code. */
   private final double[] linear = new double[256];
 
+  /** So many columns and rows of pixels tell the mean colour. */
+  private static final int LOOKED_AT = 64;
+
+  private final Rgb mean;
+
   /** Makes a texture of an image as it is. */
   public ImageTexture(ByteImage image, Layout layout, Optional<Mapping> mapping) {
     this(image, layout, mapping, 0, 1);
@@ -40,6 +45,26 @@ public final class ImageTexture implements Texture {
     for (int code = 0; code < linear.length; code++) {
       linear[code] = Math.max(0, base + gain * Transfer.SRGB.decode(code / 255.0));
     }
+    mean = new Rgb(mean(0), mean(1), mean(2));
+  }
+
+  private double mean(int channel) {
+    int right = (image.width() - 1) / LOOKED_AT + 1;
+    int down = (image.height() - 1) / LOOKED_AT + 1;
+    double sum = 0;
+    int count = 0;
+    for (int y = down / 2; y < image.height(); y += down) {
+      for (int x = right / 2; x < image.width(); x += right) {
+        sum += linear[image.code(x, y, channel)];
+        count++;
+      }
+    }
+    return sum / count;
+  }
+
+  /** Returns about the mean colour of the image. */
+  public Rgb mean() {
+    return mean;
   }
 
   /** Returns the image. */
@@ -64,6 +89,15 @@ public final class ImageTexture implements Texture {
     double placeV = layout.placeV(texel.v);
     texel.x = placeU * image.width();
     texel.y = placeV * image.height();
+    show(texel, placeU, placeV);
+  }
+
+  /** Sets a texel to the colour at its x and y. */
+  public void atPlace(Texel texel) {
+    show(texel, texel.x / image.width(), texel.y / image.height());
+  }
+
+  private void show(Texel texel, double placeU, double placeV) {
     // Find the four pixels around; the rows of an image begin at the top.
     double x = layout.wrap().within(placeU) * image.width() - 0.5;
     double y = (1 - layout.wrap().within(placeV)) * image.height() - 0.5;
@@ -73,11 +107,15 @@ public final class ImageTexture implements Texture {
     int right = index((int) x0 + 1, image.width());
     int upper = index((int) y0, image.height());
     int lower = index((int) y0 + 1, image.height());
+    int a = image.at(left, upper);
+    int b = image.at(right, upper);
+    int c = image.at(left, lower);
+    int d = image.at(right, lower);
     double toRight = x - x0;
     double down = y - y0;
-    texel.r = between(left, right, upper, lower, toRight, down, 0);
-    texel.g = between(left, right, upper, lower, toRight, down, 1);
-    texel.b = between(left, right, upper, lower, toRight, down, 2);
+    texel.r = between(a, b, c, d, toRight, down);
+    texel.g = between(a + 1, b + 1, c + 1, d + 1, toRight, down);
+    texel.b = between(a + 2, b + 2, c + 2, d + 2, toRight, down);
   }
 
   /**
@@ -93,14 +131,11 @@ public final class ImageTexture implements Texture {
     return i;
   }
 
-  private double between(
-      int left, int right, int upper, int lower, double toRight, double down, int channel) {
-    double a = linear[image.code(left, upper, channel)];
-    double b = linear[image.code(right, upper, channel)];
-    double c = linear[image.code(left, lower, channel)];
-    double d = linear[image.code(right, lower, channel)];
-    double above = a + toRight * (b - a);
-    return above + down * (c + toRight * (d - c) - above);
+  private double between(int a, int b, int c, int d, double toRight, double down) {
+    double upperLeft = linear[image.code(a)];
+    double lowerLeft = linear[image.code(c)];
+    double above = upperLeft + toRight * (linear[image.code(b)] - upperLeft);
+    return above + down * (lowerLeft + toRight * (linear[image.code(d)] - lowerLeft) - above);
   }
 
   @Override

@@ -10,9 +10,6 @@ import glint.image.Image;
  */
 final class CornerGrid {
 
-  /** From half a pixel of an image on, a side of a pixel is as likely to have a kink as not. */
-  private static final double LEAP = 0.5;
-
   /** Corners in a row. */
   final int stride;
 
@@ -28,10 +25,10 @@ final class CornerGrid {
   final double[] rgb;
 
   /** The same in levels. */
-  private final float[] levels;
+  final float[] levels;
 
-  /** Where in its images each corner's ray looked, in their pixels; empty if there are none. */
-  private final float[] image;
+  /** What images are seen; null if there are none. */
+  final Prints prints;
 
   /** Whether the ray, or one that came of it, was a random one of many. */
   final boolean[] random;
@@ -66,7 +63,7 @@ final class CornerGrid {
     kept = new float[casters.length];
     cut = new float[stride * rows];
     filledIn = new boolean[stride * rows];
-    image = new float[images ? 2 * stride * rows : 0];
+    prints = images ? new Prints(stride * rows) : null;
   }
 
   /** Traces a corner; one that is not finite is black and unlike any other. */
@@ -88,9 +85,8 @@ final class CornerGrid {
       levels[i] = (float) scale.level(rgb[i]);
     }
     cut[at] = finite ? (float) probe.cut() : 0;
-    if (image.length > 0) {
-      image[2 * at] = (float) probe.imageX();
-      image[2 * at + 1] = (float) probe.imageY();
+    if (prints != null) {
+      prints.note(at, probe, scale, levels);
     }
   }
 
@@ -138,6 +134,9 @@ final class CornerGrid {
       rgb[i] = Math.max(0, (9 * near - far) / 16);
       levels[i] = 0.5f * (levels[i - 3 * step] + levels[i + 3 * step]);
     }
+    if (prints != null) {
+      prints.fill(at, levels);
+    }
   }
 
   /** Shows a corner in a pixel of a picture. */
@@ -153,14 +152,24 @@ final class CornerGrid {
   boolean leapsOverDetail(int x, int y) {
     int a = y * stride + x;
     int c = a + stride;
-    return image.length > 0
+    return prints != null
         && (leaps(a, a + 1) || leaps(c, c + 1) || leaps(a, c) || leaps(a + 1, c + 1));
   }
 
   private boolean leaps(int a, int b) {
-    return signature[a] == signature[b]
-        && !(Math.abs(image[2 * a] - image[2 * b]) <= LEAP
-            && Math.abs(image[2 * a + 1] - image[2 * b + 1]) <= LEAP);
+    return signature[a] == signature[b] && (prints.leaps(a, b) || prints.leapsBeyond(a, b));
+  }
+
+  /**
+   * Returns the same of a pixel all of whose corners meet the same, but for what they meet first.
+   */
+  boolean leapsBeyond(int x, int y) {
+    int a = y * stride + x;
+    int c = a + stride;
+    return prints.leapsBeyond(a, a + 1)
+        || prints.leapsBeyond(c, c + 1)
+        || prints.leapsBeyond(a, c)
+        || prints.leapsBeyond(a + 1, c + 1);
   }
 
   /**
@@ -214,10 +223,11 @@ final class CornerGrid {
    * Finds, for a row of pixels, the variance, in levels² and the mean over channels, of the up to
    * 16 corners of each pixel and its neighbours.
    *
+   * @param levels of the corners: {@link #levels}, or {@link Prints#plain}
    * @param scratch six numbers for every column of corners
-   * @param out where the variances are stored, by pixel
+   * @param out where the variances are stored, from an index on
    */
-  void contrasts(int y, double[] scratch, float[] out) {
+  void contrasts(int y, float[] levels, double[] scratch, float[] out, int index) {
     int channels = 3 * stride;
     int first = Math.max(0, y - 1);
     int last = Math.min(rows - 1, y + 2);
@@ -251,7 +261,7 @@ final class CornerGrid {
         b2 += scratch[i + 5];
       }
       double variance = variance(r, r2, count) + variance(g, g2, count) + variance(b, b2, count);
-      out[y * (stride - 1) + x] = (float) (variance / 3);
+      out[index + x] = (float) (variance / 3);
     }
   }
 

@@ -12,14 +12,16 @@ final class Estimator {
   private final CornerGrid corners;
   private final Brackets brackets;
   private final LevelScale scale;
+  private final Inlay inlay;
   private final Split split;
   private final Bends bends;
   private final NoiseAround noise;
 
-  Estimator(Film film, CornerGrid corners, Brackets brackets, LevelScale scale) {
+  Estimator(Film film, CornerGrid corners, Brackets brackets, Inlay inlay, LevelScale scale) {
     this.film = film;
     this.corners = corners;
     this.brackets = brackets;
+    this.inlay = inlay;
     this.scale = scale;
     split = new Split(corners, brackets);
     bends = new Bends(corners, scale);
@@ -44,6 +46,10 @@ final class Estimator {
       if (film.random[pixel]) {
         noise.listen(x, y);
       }
+    } else if (film.kind[pixel] == Film.SMOOTH && film.inlaid[pixel]) {
+      inlay.look(x, y, 1);
+      film.image.set(x, y, inlay.mean[0], inlay.mean[1], inlay.mean[2]);
+      film.own[pixel] = (float) inlay.variance;
     } else if (film.kind[pixel] == Film.SMOOTH) {
       showCorners(x, y);
       film.own[pixel] = (float) bends.error(x, y, film.image);

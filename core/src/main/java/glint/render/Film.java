@@ -42,6 +42,9 @@ final class Film {
   /** Whether the corners of a smooth pixel are in the shadows of several things. */
   final boolean[] veiled;
 
+  /** Whether a smooth pixel is found from the image that it shows. */
+  final boolean[] inlaid;
+
   /** Whether corners do not tell all that is to be seen, because their rays are random ones. */
   final boolean[] random;
 
@@ -107,6 +110,7 @@ final class Film {
     kind = new byte[count];
     surroundings = new byte[count];
     veiled = new boolean[count];
+    inlaid = new boolean[count];
     random = new boolean[count];
     checked = new boolean[count];
     middleAsCorner = new boolean[count];

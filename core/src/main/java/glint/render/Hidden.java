@@ -8,10 +8,14 @@ import java.util.Arrays;
  */
 final class Hidden {
 
-  /** Kinds times surroundings, where smooth pixels in several shadows are one kind more. */
-  private static final int GROUPS = 48;
+  /**
+   * Kinds times surroundings, where smooth pixels in several shadows, and those found from images,
+   * are kinds of their own.
+   */
+  private static final int GROUPS = 64;
 
   private static final int VEILED = 32;
+  private static final int INLAID = 48;
 
   /** The area, as a share of the pixel, of a typical thing that a model knows nothing of. */
   private static final double AREA = 0.15;
@@ -38,7 +42,8 @@ final class Hidden {
 
   /** Returns the kind and surroundings of an unsampled pixel that has a model. */
   int group(int pixel) {
-    return (film.veiled[pixel] ? VEILED : 16 * film.kind[pixel]) + film.surroundings[pixel];
+    int plain = film.inlaid[pixel] ? INLAID : 16 * film.kind[pixel];
+    return (film.veiled[pixel] ? VEILED : plain) + film.surroundings[pixel];
   }
 
   /**

@@ -6,6 +6,7 @@ import glint.sampling.SobolSampler;
 import glint.scene.Placement;
 import glint.scene.Prepared;
 import glint.scene.View;
+import glint.trace.Print;
 import glint.trace.RayCounts;
 import glint.trace.Recorder;
 import glint.trace.Sight;
@@ -18,6 +19,7 @@ final class Probe {
   /** The pair of numbers of which the first is the time. */
   private static final long TIME = -3;
 
+  private final Prepared scene;
   private final View view;
   private final Tracer tracer;
   private final SobolSampler numbers;
@@ -53,6 +55,7 @@ final class Probe {
 
   private Probe(Prepared scene, RenderSettings settings, Recorder recorder, PixelWatch watch) {
     this.watch = watch;
+    this.scene = scene;
     view = new View(scene.scene().camera(), settings.width(), settings.height());
     int stated = scene.scene().maxDepth().orElse(RenderSettings.DEFAULT_DEPTH);
     int depth = settings.maxDepth().orElse(stated);
@@ -175,7 +178,12 @@ final class Probe {
     return tracer.signature();
   }
 
-  /** Returns where in the images that it met the last ray looked, in their pixels. */
+  /** Returns the image on what the last ray met first. */
+  Print print() {
+    return tracer.print;
+  }
+
+  /** Returns where in the other images that it met the last ray looked, in their pixels. */
   double imageX() {
     return tracer.imageX();
   }
@@ -199,6 +207,11 @@ final class Probe {
     double sum = scale.squaredDifference(tracer.r + tracer.veil.r, tracer.r);
     sum += scale.squaredDifference(tracer.g + tracer.veil.g, tracer.g);
     return (sum + scale.squaredDifference(tracer.b + tracer.veil.b, tracer.b)) / 3;
+  }
+
+  /** Returns what is traced. */
+  Prepared scene() {
+    return scene;
   }
 
   /** Returns how places in the image and points in the world belong together. */

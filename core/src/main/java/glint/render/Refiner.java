@@ -11,10 +11,14 @@ final class Refiner {
   /** The first samples of a pixel, as a power of two. */
   static final byte FIRST = 2;
 
+  /** How many times as many places, across and down, the mean of an image is taken from then. */
+  private static final int FINER = 2;
+
   private final Film film;
   private final CornerGrid corners;
   private final LevelScale scale;
   private final Split split;
+  private final Inlay inlay;
   private final double[] model = new double[3];
   private final double[] before = new double[3];
   private final double[] mean = new double[3];
@@ -24,15 +28,16 @@ final class Refiner {
   final Aim aim;
   final Estimator estimator;
 
-  Refiner(Film film, CornerGrid corners, Brackets brackets, LevelScale scale, Probe probe) {
+  Refiner(Film film, CornerGrid corners, Brackets brackets, LevelScale scale, Probe probe, double levels) {
     this.film = film;
     this.corners = corners;
     this.scale = scale;
     this.probe = probe;
     split = new Split(corners, brackets);
-    survey = new Survey(film, corners, probe);
+    inlay = new Inlay(corners, scale, probe.scene(), levels);
+    survey = new Survey(film, corners, inlay, probe);
     aim = new Aim(corners, scale, probe);
-    estimator = new Estimator(film, corners, brackets, scale);
+    estimator = new Estimator(film, corners, brackets, inlay, scale);
   }
 
   /**
@@ -48,6 +53,9 @@ final class Refiner {
       freeze(x, y, slot);
     } else if (film.kind[pixel] == Film.SPLIT) {
       divide(x, y, slot);
+    }
+    if (film.inlaid[pixel]) {
+      inlay.turn(x, y);
     }
     probe.pixel(x, y);
     int total = 1 << level;
@@ -112,10 +120,14 @@ final class Refiner {
       divide(x, y, slot);
       film.prior[slot] += (float) split.doubt(scale);
     }
+    if (film.inlaid[pixel]) {
+      inlay.look(x, y, FINER);
+    }
     for (int channel = 0; channel < 3; channel++) {
       film.sums[Film.SLOT * slot + 6 + channel] =
           switch (film.kind[pixel]) {
-            case Film.SMOOTH -> corners.mean(x, y, channel);
+            case Film.SMOOTH ->
+                film.inlaid[pixel] ? inlay.mean[channel] : corners.mean(x, y, channel);
             case Film.SPLIT -> split.mean(channel);
             default -> 0;
           };
@@ -148,7 +160,12 @@ final class Refiner {
 
   /** Sets {@link #model} to what the pixel's model says at the place of the sample. */
   private void predict(int x, int y) {
-    byte kind = film.kind[y * film.width + x];
+    int pixel = y * film.width + x;
+    byte kind = film.kind[pixel];
+    if (kind == Film.SMOOTH && film.inlaid[pixel]) {
+      System.arraycopy(inlay.at(probe.placeX(), probe.placeY()), 0, model, 0, 3);
+      return;
+    }
     double u = probe.placeX();
     double v = probe.placeY();
     int a = 3 * (y * corners.stride + x);

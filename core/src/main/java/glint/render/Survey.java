@@ -18,22 +18,31 @@ final class Survey {
   private final Film film;
   private final CornerGrid corners;
   private final Probe probe;
+  private final Inlay inlay;
   private final double[] scratch;
+
+  /** The contrasts of a row, if images had one colour all over. */
+  private final float[] plain;
 
   /** The sum over the up to three pixels of a column; one column more on each side. */
   private final int[] edges;
 
-  Survey(Film film, CornerGrid corners, Probe probe) {
+  Survey(Film film, CornerGrid corners, Inlay inlay, Probe probe) {
     this.film = film;
     this.corners = corners;
     this.probe = probe;
+    this.inlay = inlay;
     scratch = new double[6 * corners.stride];
+    plain = new float[corners.prints == null ? 0 : film.width];
     edges = new int[film.width + 2];
   }
 
   /** Decides what kind the pixels of a row are by their corners. */
   void classify(int y) {
-    corners.contrasts(y, scratch, film.contrast);
+    corners.contrasts(y, corners.levels, scratch, film.contrast, y * film.width);
+    if (corners.prints != null) {
+      corners.contrasts(y, corners.prints.plain, scratch, plain, 0);
+    }
     for (int x = 0; x < film.width; x++) {
       classify(x, y);
     }
@@ -43,8 +52,13 @@ final class Survey {
     int crossings = corners.crossings(x, y);
     int pixel = y * film.width + x;
     film.kind[pixel] = crossings == 0 ? Film.SMOOTH : crossings == 2 ? Film.SPLIT : Film.BUSY;
+    film.inlaid[pixel] = crossings == 0 && inlay.suits(x, y);
+    if (film.inlaid[pixel]) {
+      film.contrast[pixel] = plain[x];
+    }
     // Of an image that shows no contrast, audits tell whether there is none.
-    boolean detailed = film.contrast[pixel] > VISIBLE && corners.leapsOverDetail(x, y);
+    boolean detailed =
+        !film.inlaid[pixel] && film.contrast[pixel] > VISIBLE && corners.leapsOverDetail(x, y);
     film.random[pixel] = corners.isRandom(x, y);
     if (detailed || film.random[pixel]) {
       film.kind[pixel] = Film.BUSY;
@@ -98,6 +112,7 @@ final class Survey {
         middle == met[a] || middle == met[a + 1] || middle == met[c] || middle == met[c + 1];
     if (!finite || !known) {
       film.kind[pixel] = Film.BUSY;
+      film.inlaid[pixel] = false;
     }
     return film.kind[pixel] == Film.BUSY;
   }

@@ -50,7 +50,7 @@ final class TargetRender implements Method {
     List<Refiner> refiners = new ArrayList<>();
     for (int i = 0; i < settings.threads(); i++) {
       Probe probe = new Probe(scene, cutting, watch);
-      refiners.add(new Refiner(film, corners, brackets, scale, probe));
+      refiners.add(new Refiner(film, corners, brackets, scale, probe, goal.levels()));
     }
     try (Crew<Refiner> crew = new Crew<>(refiners, cancelled, threads)) {
       SmallThings small = new SmallThings(scene, refiners.get(0).probe.view(), corners);

@@ -10,6 +10,7 @@ import glint.geometry.Primitives;
 import glint.geometry.Ray;
 import glint.light.Illumination;
 import glint.math.Vector3d;
+import glint.optics.ImageTexture;
 import glint.optics.Material;
 import glint.optics.Medium;
 import glint.optics.Texel;
@@ -179,6 +180,12 @@ public final class Prepared {
     } else {
       textured.at(hit, primitives, surfaces.placement(surface).toWorld(), texel);
     }
+  }
+
+  /** Returns the image on a surface, or null if there is none. */
+  public ImageTexture image(int surface) {
+    TexturedSurface textured = surfaces.texture(surface);
+    return textured == null ? null : textured.image();
   }
 
   /**

@@ -41,6 +41,11 @@ final class TexturedSurface {
     mapping = image == null ? null : image.mapping().orElseGet(() -> OwnMapping.of(surface));
   }
 
+  /** Returns the image, or null if the texture is none. */
+  ImageTexture image() {
+    return image;
+  }
+
   /** Sets a texel to what is seen at a hit. */
   void at(Hit hit, Primitives primitives, Transform toWorld, Texel texel) {
     if (pattern == null && mapping == null) {

@@ -38,8 +38,11 @@ final class DirectLight {
   /** Is told of shadows; null unless somebody asks. */
   Veil veil;
 
+  /** Is told of the image on the surface; null unless somebody asks. */
+  Print print;
+
   /** What the surface's texture multiplies its colour by. */
-  private final Texel pattern = new Texel();
+  final Texel pattern = new Texel();
 
   DirectLight(
       Prepared scene,
@@ -70,7 +73,11 @@ final class DirectLight {
     Material material = scene.material(surface);
     if (plan.textures().used()) {
       scene.texture(surface, hit, pattern);
-      signature.add(pattern);
+      if (print != null && pattern.isOfImage) {
+        print.begin(scene.image(surface), pattern);
+      } else {
+        signature.add(pattern);
+      }
     }
     Rgb emission = material.emission();
     Rgb ambient = material.ambient();
@@ -78,6 +85,10 @@ final class DirectLight {
     r = emission.r() + ambient.r() * pattern.r * everywhere.r();
     g = emission.g() + ambient.g() * pattern.g * everywhere.g();
     b = emission.b() + ambient.b() * pattern.b * everywhere.b();
+    if (print != null) {
+      print.add(
+          ambient.r() * everywhere.r(), ambient.g() * everywhere.g(), ambient.b() * everywhere.b());
+    }
     if (recorder != null) {
       recorder.glows(pattern.color(), r, g, b);
     }
@@ -120,6 +131,12 @@ final class DirectLight {
     r += addR;
     g += addG;
     b += addB;
+    if (print != null) {
+      print.add(
+          shadow.passR * light.r * diffuse.r() * cos,
+          shadow.passG * light.g * diffuse.g() * cos,
+          shadow.passB * light.b * diffuse.b() * cos);
+    }
     tell(i, Fate.LIT, cos, addR, addG, addB);
   }
 

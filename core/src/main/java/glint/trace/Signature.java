@@ -24,7 +24,7 @@ final class Signature {
 
   private long value;
 
-  /** Where in its images the tree looks, in their pixels. */
+  /** Where in its images the tree looks, in their pixels, but for the one it meets first of all. */
   private double x;
 
   private double y;

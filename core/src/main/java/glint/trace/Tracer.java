@@ -92,6 +92,9 @@ public final class Tracer {
   /** How the last camera ray saw what it met, if that was to be found out. */
   public final Sight sight = new Sight();
 
+  /** The image on what the last camera ray met first, if there is one and the plan knows of any. */
+  public final Print print = new Print();
+
   /** Makes a tracer that tells nobody. */
   public Tracer(Prepared scene, int maxDepth, double negligible) {
     this(scene, maxDepth, negligible, null);
@@ -127,7 +130,10 @@ public final class Tracer {
     return signature.value();
   }
 
-  /** Returns where in the images that it met the last call of {@link #trace} looked, in pixels. */
+  /**
+   * Returns where in the images that it met the last call of {@link #trace} looked, in pixels, but
+   * for the {@link #print}.
+   */
   public double imageX() {
     return signature.x();
   }
@@ -170,6 +176,7 @@ public final class Tracer {
     signature.clear();
     veil.clear();
     sight.clear();
+    print.clear();
     counts.camera++;
     Frame f = frame(0);
     f.ray.copy(ray);
@@ -220,7 +227,11 @@ public final class Tracer {
         sight.meet(hit, material);
       }
       direct.veil = watchesShadows && level + depth == 0 ? veil : null;
+      direct.print = plan.images().used() && level + depth == 0 ? print : null;
       direct.find(boundary.surface, hit, f.ray, f.interior, numbers, f.path);
+      if (direct.print != null && print.found) {
+        print.end(direct.pattern, f.weightR, f.weightG, f.weightB);
+      }
       add(f, direct.r, direct.g, direct.b);
       if (boundary.opaque && !plan.mirrors().used()) {
         return;
