@@ -17,10 +17,9 @@ final class Inlay {
   /** A pixel that shows more of an image, in pixels of that across or down, is sampled. */
   private static final double LARGEST = 16;
 
-  /** Places for every pixel of an image; at least and at most across, and down. */
-  private static final double DENSITY = 2;
-
+  /** Places across and down: at first, and at most. */
   private static final int FEWEST = 2;
+
   private static final int MOST = 8;
 
   /** An image that lies elsewhere by more than so many of its pixels does not run evenly. */
@@ -81,11 +80,9 @@ final class Inlay {
 
   /** Returns whether a pixel whose corners have one signature shows an image that runs evenly. */
   boolean suits(int x, int y) {
-    if (corners.prints == null || !corners.prints.has(y * corners.stride + x)) {
-      return false;
-    }
     turn(x, y);
-    return across() <= LARGEST
+    return corners.prints.has(a)
+        && across() <= LARGEST
         && down() <= LARGEST
         && bend(x, y)
         && elsewhere() <= ELSEWHERE
@@ -101,22 +98,23 @@ final class Inlay {
   /**
    * Finds the mean over a pixel, and its variance, from as many places as that takes.
    *
-   * @param finer how many times as many places are taken at most, across and down
+   * @param finer how many times finer the image is looked at than is enough by itself
    */
   void look(int x, int y, int finer) {
     turn(x, y);
     bend(x, y);
+    double accepted = enough / (finer * finer * finer * finer);
     double across = across();
     double down = down();
-    int most = finer * places(Math.max(across, down));
-    boolean coarse = true;
-    for (int places = FEWEST; coarse; places *= 2) {
-      int inRow = Math.min(places, finer * places(across));
-      int rows = Math.min(places, finer * places(down));
+    double rest;
+    int places = FEWEST;
+    do {
+      int inRow = across < down / 2 ? places / 2 : places;
+      int rows = down < across / 2 ? places / 2 : places;
       integrate(inRow, rows);
-      double apart = Math.max(across / inRow, down / rows);
-      coarse = find(inRow * rows, apart) > enough && places < most;
-    }
+      rest = find(inRow * rows, Math.max(across / inRow, down / rows));
+      places *= 2;
+    } while (rest > accepted && places <= finer * MOST);
     if (corners.leapsBeyond(x, y)) {
       variance += restVariance() / 4;
     }
@@ -132,7 +130,7 @@ final class Inlay {
     double elsewhere = elsewhere();
     // The error of the midpoint rule is quadratic; pixels of an image know nothing of each other.
     double unseen = Math.min(1, apart * apart * apart * apart) / count;
-    double left = 0;
+    double less = 0;
     variance = 0;
     for (int i = 0; i < 3; i++) {
       mean[i] = sum[i] / count;
@@ -143,9 +141,9 @@ final class Inlay {
           TWENTY_FOURTH * (bends[Prints.REST + i] + bends[Prints.GAIN + i] * colours[i] / count);
       double error = bend * bend + elsewhere * elsewhere * spread + coarse;
       variance += scale.squaredError(mean[i], Math.sqrt(error)) / 3;
-      left += scale.squaredError(mean[i], Math.sqrt(coarse)) / 3;
+      less += scale.squaredError(mean[i], Math.sqrt(coarse)) / 3;
     }
-    return left;
+    return less;
   }
 
   /** Returns, in scratch, the radiance at a place in the pixel at hand. */
@@ -169,12 +167,6 @@ final class Inlay {
     int i = Prints.NUMBERS * one;
     int j = Prints.NUMBERS * two;
     return Math.max(Math.abs(seen[i] - seen[j]), Math.abs(seen[i + 1] - seen[j + 1]));
-  }
-
-  /** Returns a power of two. */
-  private static int places(double extent) {
-    int places = Math.min(Math.max((int) Math.ceil(DENSITY * extent), FEWEST), MOST);
-    return Integer.highestOneBit(2 * places - 1);
   }
 
   /** Sums up over an even number of places across, and of rows. */

@@ -11,7 +11,7 @@ final class Refiner {
   /** The first samples of a pixel, as a power of two. */
   static final byte FIRST = 2;
 
-  /** How many times as many places, across and down, the mean of an image is taken from then. */
+  /** How much finer an image is looked at where samples are compared with it. */
   private static final int FINER = 2;
 
   private final Film film;
@@ -28,7 +28,13 @@ final class Refiner {
   final Aim aim;
   final Estimator estimator;
 
-  Refiner(Film film, CornerGrid corners, Brackets brackets, LevelScale scale, Probe probe, double levels) {
+  Refiner(
+      Film film,
+      CornerGrid corners,
+      Brackets brackets,
+      LevelScale scale,
+      Probe probe,
+      double levels) {
     this.film = film;
     this.corners = corners;
     this.scale = scale;
@@ -122,6 +128,7 @@ final class Refiner {
     }
     if (film.inlaid[pixel]) {
       inlay.look(x, y, FINER);
+      film.prior[slot] = (float) inlay.variance;
     }
     for (int channel = 0; channel < 3; channel++) {
       film.sums[Film.SLOT * slot + 6 + channel] =

@@ -52,15 +52,12 @@ final class Survey {
     int crossings = corners.crossings(x, y);
     int pixel = y * film.width + x;
     film.kind[pixel] = crossings == 0 ? Film.SMOOTH : crossings == 2 ? Film.SPLIT : Film.BUSY;
-    film.inlaid[pixel] = crossings == 0 && inlay.suits(x, y);
+    film.random[pixel] = corners.isRandom(x, y);
+    boolean even = crossings == 0 && !film.random[pixel];
+    film.inlaid[pixel] = even && plain.length > 0 && inlay.suits(x, y);
     if (film.inlaid[pixel]) {
       film.contrast[pixel] = plain[x];
-    }
-    // Of an image that shows no contrast, audits tell whether there is none.
-    boolean detailed =
-        !film.inlaid[pixel] && film.contrast[pixel] > VISIBLE && corners.leapsOverDetail(x, y);
-    film.random[pixel] = corners.isRandom(x, y);
-    if (detailed || film.random[pixel]) {
+    } else if (film.random[pixel] || isDetailed(x, y)) {
       film.kind[pixel] = Film.BUSY;
     }
     float between = crossings == 0 ? corners.lightBetweenShadows(x, y) : 0;
@@ -68,6 +65,11 @@ final class Survey {
       film.veiled[pixel] = film.kind[pixel] == Film.SMOOTH;
       film.contrast[pixel] = Math.max(film.contrast[pixel], between);
     }
+  }
+
+  /** Of an image that shows no contrast, audits tell whether there is none. */
+  private boolean isDetailed(int x, int y) {
+    return film.contrast[y * film.width + x] > VISIBLE && corners.leapsOverDetail(x, y);
   }
 
   /** Counts the edges around the pixels of a row, from one up to another. */

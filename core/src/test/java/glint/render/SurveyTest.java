@@ -83,7 +83,7 @@ class SurveyTest {
         new RenderSettings(3, 3, new Goal.Error(1), 0, OptionalInt.empty(), 1, 8, Set.of());
     CornerGrid corners = new CornerGrid(3, 3, false, false);
     Arrays.fill(corners.signature, 1);
-    Survey survey = new Survey(film, corners, new Probe(Prepared.of(empty), settings));
+    Survey survey = new Survey(film, corners, null, new Probe(Prepared.of(empty), settings));
     count(survey, film);
     assertEquals(busy > 0 || split > 4, survey.surprises(4));
     film.kind[4] = Film.SPLIT;
