@@ -28,11 +28,6 @@ final class Inlay {
   /** What other images show is seen from a variance, in levels², that is more than this. */
   private static final double VISIBLE = 1;
 
-  /** A step counts as so many bends: 12/√12, see {@link Bends}. */
-  private static final double STEP = 2 * Math.sqrt(3);
-
-  private static final double TWENTY_FOURTH = 1 / 24.0;
-
   /** More places are not taken for less than this share of the variance accepted. */
   private static final double ENOUGH = 0.1;
 
@@ -40,15 +35,13 @@ final class Inlay {
   private final CornerGrid corners;
   private final LevelScale scale;
   private final Prepared scene;
+  private final PrintBends bends;
   private final Texel texel = new Texel();
 
   /** The four corners of the pixel at hand: of {@link #a}, below that {@link #c}. */
   private int a;
 
   private int c;
-
-  /** The second differences along its sides, without their signs and summed up, by number. */
-  private final double[] bends = new double[Prints.NUMBERS];
 
   /** The numbers at the ends of a row of places. */
   private final double[] left = new double[Prints.NUMBERS];
@@ -76,6 +69,7 @@ final class Inlay {
     this.corners = corners;
     this.scale = scale;
     this.scene = scene;
+    bends = new PrintBends(corners);
   }
 
   /** Returns whether a pixel whose corners have one signature shows an image that runs evenly. */
@@ -84,8 +78,8 @@ final class Inlay {
     return corners.prints.has(a)
         && across() <= LARGEST
         && down() <= LARGEST
-        && bend(x, y)
-        && elsewhere() <= ELSEWHERE
+        && bends.find(x, y)
+        && bends.elsewhere() <= ELSEWHERE
         && (!corners.leapsBeyond(x, y) || restVariance() <= VISIBLE);
   }
 
@@ -102,7 +96,7 @@ final class Inlay {
    */
   void look(int x, int y, int finer) {
     turn(x, y);
-    bend(x, y);
+    bends.find(x, y);
     double accepted = enough / (finer * finer * finer * finer);
     double across = across();
     double down = down();
@@ -127,7 +121,7 @@ final class Inlay {
    * @return the part of the variance that more places take away
    */
   private double find(int count, double apart) {
-    double elsewhere = elsewhere();
+    double elsewhere = bends.elsewhere();
     // The error of the midpoint rule is quadratic; pixels of an image know nothing of each other.
     double unseen = Math.min(1, apart * apart * apart * apart) / count;
     double less = 0;
@@ -137,8 +131,7 @@ final class Inlay {
       double spread = Math.max(0, squares[i] / count - mean[i] * mean[i]);
       double half = others[i] / (0.5 * count) - mean[i]; // of what the halves differ by
       double coarse = Math.max(half * half, unseen * spread);
-      double bend =
-          TWENTY_FOURTH * (bends[Prints.REST + i] + bends[Prints.GAIN + i] * colours[i] / count);
+      double bend = bends.error(i, colours[i] / count);
       double error = bend * bend + elsewhere * elsewhere * spread + coarse;
       variance += scale.squaredError(mean[i], Math.sqrt(error)) / 3;
       less += scale.squaredError(mean[i], Math.sqrt(coarse)) / 3;
@@ -230,60 +223,24 @@ final class Inlay {
 
   /** Returns, in levels², the variance of what is not of the image at the four corners. */
   private double restVariance() {
-    double[] seen = corners.prints.seen;
     double sum = 0;
-    for (int i = Prints.REST; i < Prints.REST + 3; i++) {
-      int one = Prints.NUMBERS * a + i;
-      int two = Prints.NUMBERS * c + i;
-      int channel = i - Prints.REST;
-      double colour =
-          0.25 * (shown(a, channel) + shown(c, channel))
-              + 0.25 * (shown(a + 1, channel) + shown(c + 1, channel));
-      double rest =
-          0.25 * (seen[one] + seen[one + Prints.NUMBERS] + seen[two] + seen[two + Prints.NUMBERS]);
-      sum += scale.squaredDifference(colour - rest + seen[one], colour);
-      sum += scale.squaredDifference(colour - rest + seen[one + Prints.NUMBERS], colour);
-      sum += scale.squaredDifference(colour - rest + seen[two], colour);
-      sum += scale.squaredDifference(colour - rest + seen[two + Prints.NUMBERS], colour);
+    for (int channel = 0; channel < 3; channel++) {
+      int number = Prints.REST + channel;
+      double rest = 0;
+      double shown = 0;
+      for (int i = 0; i < 4; i++) {
+        rest += 0.25 * corners.prints.seen[Prints.NUMBERS * corner(i) + number];
+        shown += 0.25 * corners.rgb[3 * corner(i) + channel];
+      }
+      for (int i = 0; i < 4; i++) {
+        double here = corners.prints.seen[Prints.NUMBERS * corner(i) + number];
+        sum += scale.squaredDifference(shown - rest + here, shown);
+      }
     }
     return sum / 12;
   }
 
-  private double shown(int corner, int channel) {
-    return corners.rgb[3 * corner + channel];
-  }
-
-  /** Returns by how much the image lies elsewhere than if it ran evenly: in its pixels. */
-  private double elsewhere() {
-    return TWENTY_FOURTH * Math.sqrt(bends[0] * bends[0] + bends[1] * bends[1]);
-  }
-
-  /** Finds the bends of the four sides; returns whether enough around is of a kind for that. */
-  private boolean bend(int x, int y) {
-    Arrays.fill(bends, 0);
-    return bend(a, 1, x, corners.stride)
-        && bend(c, 1, x, corners.stride)
-        && bend(a, corners.stride, y, corners.rows)
-        && bend(a + 1, corners.stride, y, corners.rows);
-  }
-
-  /** Adds the bends of a side, like {@link Bends}; returns whether there is anything beside it. */
-  private boolean bend(int corner, int step, int at, int count) {
-    long[] met = corners.signature;
-    double[] seen = corners.prints.seen;
-    boolean before = at > 0 && met[corner - step] == met[corner];
-    boolean after = at + 2 < count && met[corner + 2 * step] == met[corner];
-    int next = Prints.NUMBERS * step;
-    for (int number = 0; number < Prints.NUMBERS; number++) {
-      int i = Prints.NUMBERS * corner + number;
-      double one = seen[i];
-      double two = seen[i + next];
-      double first = before ? seen[i - next] - 2 * one + two : 0;
-      double last = after ? one - 2 * two + seen[i + 2 * next] : 0;
-      boolean both = before && after;
-      double bend = Math.abs(first + last);
-      bends[number] += both ? 0.5 * (bend + STEP * Math.abs(first - last)) : bend;
-    }
-    return before || after;
+  private int corner(int i) {
+    return (i < 2 ? a : c) + (i & 1);
   }
 }
