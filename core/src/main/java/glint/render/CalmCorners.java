@@ -31,6 +31,9 @@ final class CalmCorners {
   /** Projections are as dear as a few rays: more than one for so many corners do not pay. */
   private static final int CORNERS_PER_OUTLINE = 8;
 
+  /** In images with fewer corners so little is plain that it is not worth looking for it. */
+  private static final int LEAST = 1 << 17;
+
   /** The same is seen in a mirror made of more parts as if it were not there. */
   private static final int PARTS = 16;
 
@@ -69,6 +72,10 @@ final class CalmCorners {
 
   /** Traces a corner from which others are told. */
   void trace(Probe probe, int x, int y) {
+    if (corners.signature.length < LEAST) {
+      corners.trace(probe, scale, x, y);
+      return;
+    }
     probe.watchSight(true);
     corners.trace(probe, scale, x, y);
     probe.watchSight(false);
@@ -80,6 +87,9 @@ final class CalmCorners {
 
   /** Looks for what may be missed between the corners traced, and finds those that are calm. */
   void find(Crew<Refiner> crew) throws InterruptedException {
+    if (corners.signature.length < LEAST) {
+      return;
+    }
     Probe probe = crew.workers().get(0).probe;
     long worth = CORNERS_PER_OUTLINE * Marks.outlines(scene);
     Reflections reflections = reflections(probe, worth);

@@ -26,6 +26,9 @@ final class Marks {
   /** The distance of the corners that are looked at. */
   static final int STEP = 2;
 
+  /** What is so narrow, in steps, may cover no corner though its outline, a little wider, does. */
+  private static final double NARROW = 2;
+
   /** The shadow of what is less wide, in pixels, may be narrow wherever it falls. */
   private static final double NARROW_CASTER = 8;
 
@@ -219,7 +222,7 @@ final class Marks {
 
   private void mark(boolean all) {
     whole.scale(1.0 / STEP);
-    cells.visit(whole, all || whole.width() < Glimpses.THIN, this::mark);
+    cells.visit(whole, all || whole.width() < NARROW, this::mark);
   }
 
   private void mark(int x, int y) {

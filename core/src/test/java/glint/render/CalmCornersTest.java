@@ -33,8 +33,8 @@ import org.junit.jupiter.api.Test;
 /** In plain places corners are filled in, but nothing small that lies between is lost. */
 class CalmCornersTest {
 
-  private static final int WIDTH = 240;
-  private static final int HEIGHT = 180;
+  private static final int WIDTH = 480;
+  private static final int HEIGHT = 360;
 
   /** Pixels from one small thing to the next. */
   private static final int APART = 20;

@@ -33,7 +33,7 @@ class TargetRenderTest {
   private static final int SIZE = 24;
 
   @Test
-  void aPlainImageTakesFewRaysAndIsClaimedToBeAlmostExact() {
+  void aPlainImageTakesOneRayAPixelAndIsClaimedToBeAlmostExact() {
     int size = 4 * SIZE; // enough for audits to tell that hardly anything is hidden
     Scene scene = view(size).background(Background.constant(Rgb.grey(0.3))).build();
     RenderSettings settings =
@@ -41,9 +41,9 @@ class TargetRenderTest {
     RenderResult result = new Renderer(Prepared.of(scene), settings).render(Progress.NONE);
     Statistics s = result.statistics();
     assertEquals(0, s.samplingError(), 0.01);
-    assertEquals(0, s.minSamples());
+    assertEquals(1, s.minSamples());
     assertEquals(0.3, result.image().rgb()[0], 1e-15);
-    assertTrue(s.meanSamples() < 0.6, () -> s.toString());
+    assertTrue(s.meanSamples() < 1.2, () -> s.toString());
   }
 
   @Test
