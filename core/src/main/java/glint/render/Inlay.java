@@ -29,7 +29,7 @@ final class Inlay {
   private static final double VISIBLE = 1;
 
   /** More places are not taken for less than this share of the variance accepted. */
-  private static final double ENOUGH = 0.1;
+  private static final double ENOUGH = 0.3;
 
   private final double enough;
   private final CornerGrid corners;
@@ -106,8 +106,9 @@ final class Inlay {
       int inRow = across < down / 2 ? places / 2 : places;
       int rows = down < across / 2 ? places / 2 : places;
       integrate(inRow, rows);
-      rest = find(inRow * rows, Math.max(across / inRow, down / rows));
-      places *= 2;
+      double apart = Math.max(across / inRow, down / rows);
+      rest = find(inRow * rows, apart);
+      places *= places < MOST / 2 && rest > (apart < 1 ? 64 : 4) * accepted ? 4 : 2;
     } while (rest > accepted && places <= finer * MOST);
     if (corners.leapsBeyond(x, y)) {
       variance += restVariance() / 4;
