@@ -15,7 +15,7 @@ import java.util.Arrays;
 final class Inlay {
 
   /** A pixel that shows more of an image, in pixels of that across or down, is sampled. */
-  private static final double LARGEST = 16;
+  private static final double LARGEST = 6;
 
   /** Places across and down: at first, and at most. */
   private static final int FEWEST = 2;
