@@ -1,11 +1,9 @@
 package glint.render;
 
-import glint.math.Transform;
 import glint.scene.Prepared;
 import glint.trace.Sight;
 import java.util.HashMap;
 import java.util.LinkedHashMap;
-import java.util.List;
 import java.util.Map;
 
 /**
@@ -29,10 +27,10 @@ final class CalmCorners {
   private static final double BEND = 0.4;
 
   /** Projections are as dear as a few rays: more than one for so many corners do not pay. */
-  private static final int CORNERS_PER_OUTLINE = 8;
+  private static final int CORNERS_PER_OUTLINE = 24;
 
   /** In images with fewer corners so little is plain that it is not worth looking for it. */
-  private static final int LEAST = 1 << 17;
+  private static final int LEAST = 1 << 16;
 
   /** The same is seen in a mirror made of more parts as if it were not there. */
   private static final int PARTS = 16;
@@ -51,7 +49,6 @@ final class CalmCorners {
   private final long[] mirrors;
 
   private final boolean[] calm;
-  private Marks marks;
 
   CalmCorners(Prepared scene, CornerGrid corners, LevelScale scale, double levels) {
     this.scene = scene;
@@ -85,34 +82,45 @@ final class CalmCorners {
     mirrors[at] = sight.mirrors();
   }
 
-  /** Looks for what may be missed between the corners traced, and finds those that are calm. */
+  /** Finds the corners that are calm. */
   void find(Crew<Refiner> crew) throws InterruptedException {
     if (corners.signature.length < LEAST) {
       return;
     }
+    crew.run(rows, (refiner, row) -> findEven(row));
     Probe probe = crew.workers().get(0).probe;
     long worth = CORNERS_PER_OUTLINE * Marks.outlines(scene);
     Reflections reflections = reflections(probe, worth);
-    List<Transform> shown = reflections.shownBy(worth);
-    if (shown.isEmpty()) {
+    Marks marks = new Marks(scene, probe.view(), corners, reflections.shownBy(worth));
+    Map<Long, Boolean> known = new HashMap<>();
+    for (int at = 0; at < calm.length; at++) {
+      calm[at] =
+          calm[at]
+              && known.computeIfAbsent(mirrors[at], key -> reflections.areShownBy(worth, key))
+              && !marks.at(at);
+    }
+  }
+
+  /** Finds those that are calm, for all that rays tell. */
+  private void findEven(int row) {
+    int y = STEP * row;
+    if (y < STEP || y + STEP >= corners.rows) {
       return;
     }
-    marks = new Marks(scene, probe.view(), corners);
-    shown.forEach(marks::add);
-    Map<Long, Boolean> known = new HashMap<>();
-    for (int at = 0; at < plain.length; at++) {
-      plain[at] =
+    for (int x = STEP; x + STEP < corners.stride; x += STEP) {
+      int at = row * columns + x / STEP;
+      calm[at] =
           plain[at]
-              && known.computeIfAbsent(mirrors[at], key -> reflections.areShownBy(worth, key));
+              && corners.isAlike(y * corners.stride + x, STEP)
+              && corners.isEven(y * corners.stride + x, STEP, bend);
     }
-    crew.run(rows, (refiner, row) -> find(row));
   }
 
   /** Finds what mirrors show, by one ray for all corners that look into the same. */
   private Reflections reflections(Probe probe, long worth) {
     Map<Long, int[]> counts = new LinkedHashMap<>();
-    for (int at = 0; at < plain.length; at++) {
-      if (plain[at]) {
+    for (int at = 0; at < calm.length; at++) {
+      if (calm[at]) {
         int first = at;
         counts.computeIfAbsent(mirrors[at], key -> new int[] {first, 0})[1]++;
       }
@@ -127,21 +135,6 @@ final class CalmCorners {
       }
     }
     return reflections;
-  }
-
-  private void find(int row) {
-    int y = STEP * row;
-    if (y < STEP || y + STEP >= corners.rows) {
-      return;
-    }
-    for (int x = STEP; x + STEP < corners.stride; x += STEP) {
-      int at = row * columns + x / STEP;
-      calm[at] =
-          plain[at]
-              && !marks.at(at)
-              && corners.isAlike(y * corners.stride + x, STEP)
-              && corners.isEven(y * corners.stride + x, STEP, bend);
-    }
   }
 
   /** Fills a corner in if it can be told from those traced; returns whether it can. */

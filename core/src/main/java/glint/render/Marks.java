@@ -57,7 +57,12 @@ final class Marks {
 
   private final boolean[] marked;
 
-  Marks(Prepared scene, View view, CornerGrid corners) {
+  /**
+   * Marks what may be seen.
+   *
+   * @param shown to where mirrors seem to move what they show, for each of those looked into
+   */
+  Marks(Prepared scene, View view, CornerGrid corners, List<Transform> shown) {
     this.scene = scene;
     this.view = view;
     silhouette = new Silhouette(view);
@@ -67,7 +72,10 @@ final class Marks {
     cells = new Glimpses(across, down);
     columns = across + 1;
     marked = new boolean[columns * (down + 1)];
-    findShadows();
+    if (!shown.isEmpty()) {
+      findShadows();
+      shown.forEach(this::add);
+    }
   }
 
   /** Returns how many outlines are projected for what is seen directly, or by any mirrors. */
@@ -164,7 +172,7 @@ final class Marks {
    *
    * @param mirrored to where the mirrors seem to move what they show
    */
-  void add(Transform mirrored) {
+  private void add(Transform mirrored) {
     for (Placement p : scene.scene().placements()) {
       Transform seen = p.toWorld().then(mirrored);
       boolean hollow = isHollow(p.surface(), seen, at -> at.minus(view.eye()));
