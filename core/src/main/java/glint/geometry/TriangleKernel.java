@@ -114,6 +114,11 @@ final class TriangleKernel {
    * distance is that of {@code deltaX}: less than what a tree leaves around its boxes.
    */
   private static double withinBox(double[] data, int at, Ray ray, double distance, double t) {
+    if (isWithin(data, at, ray.ox, t * ray.dx, distance)
+        && isWithin(data, at + 1, ray.oy, t * ray.dy, distance)
+        && isWithin(data, at + 2, ray.oz, t * ray.dz, distance)) {
+      return t;
+    }
     double enter = Double.NEGATIVE_INFINITY;
     double leave = Double.POSITIVE_INFINITY;
     for (int axis = 0; axis < 3; axis++) {
@@ -132,6 +137,18 @@ final class TriangleKernel {
       }
     }
     return enter <= leave ? Math.min(Math.max(t, enter), leave) : 0;
+  }
+
+  /**
+   * Returns whether a way from the origin along an axis ends within the box: if a rounded product
+   * is strictly between two numbers, t is between their quotients by the direction, rounded or not.
+   */
+  private static boolean isWithin(double[] data, int at, double o, double way, double distance) {
+    double a = data[at];
+    double b = data[at + 3];
+    double c = data[at + 6];
+    return way > Math.min(a, Math.min(b, c)) - distance - o
+        && way < Math.max(a, Math.max(b, c)) + distance - o;
   }
 
   /** Returns whether the ray's direction lies in the triangle's plane, by exact arithmetic. */
