@@ -17,6 +17,9 @@ public final class Bvh {
   /** No path from the root to a leaf is longer: see {@link BvhBuilder#SAH_DEPTH}. */
   static final int MAX_DEPTH = 64;
 
+  /** How many ints a box takes. */
+  static final int BOX = 6;
+
   /** How many ints a node takes. */
   static final int NODE = 14;
 
@@ -147,6 +150,12 @@ public final class Bvh {
       }
     }
     return least;
+  }
+
+  /** Returns the child, as in {@link #nodes}, whose box begins at a place there. */
+  static int child(int[] nodes, int place) {
+    int node = place - place % NODE;
+    return nodes[node + CHILDREN + (place - node) / BOX];
   }
 
   private static void merge(double[] box, double[] other) {

@@ -14,11 +14,12 @@ final class Cells {
   /** The list of a place where nothing is seen. */
   private static final int NOTHING = 0;
 
-  /** How many cells stand side by side. */
-  private static final int SIDE = 32;
-
   /** Lists are at most this long. */
-  private static final int LONGEST = 8;
+  private static final int LONGEST = 15;
+
+  // No fewer and no more cells stand side by side.
+  private static final int LEAST_SIDE = 32;
+  private static final int MOST_SIDE = 128;
 
   /** A list is where it starts among all, and in its lowest bits how long it is. */
   private static final int LENGTH_BITS = 4;
@@ -28,6 +29,9 @@ final class Cells {
    * are per unit of it, and the same of w.
    */
   private final double[] frames;
+
+  /** How many cells stand side by side. */
+  private final int side;
 
   private final int[][] lists;
   private final int[] boxes;
@@ -39,6 +43,7 @@ final class Cells {
    *     w; the least above the greatest where it is not seen
    */
   Cells(double[][] seen) {
+    side = side(seen[0].length / 4);
     frames = new double[6 * seen.length];
     lists = new int[seen.length][];
     int all = 0;
@@ -54,6 +59,15 @@ final class Cells {
     }
   }
 
+  /** Returns how many cells stand side by side: 16 to 64 times as many in all as boxes. */
+  private static int side(int boxes) {
+    int side = LEAST_SIDE;
+    while (side < MOST_SIDE && side * side < 16 * boxes) {
+      side *= 2;
+    }
+    return side;
+  }
+
   /** Finds what all rectangles of a face take up in one coordinate. */
   private void frame(int at, double[] seen, int coordinate) {
     double least = Double.POSITIVE_INFINITY;
@@ -66,7 +80,7 @@ final class Cells {
     }
     frames[at] = least;
     frames[at + 1] = greatest;
-    frames[at + 2] = SIDE / (greatest - least);
+    frames[at + 2] = side / (greatest - least);
   }
 
   private static boolean isSeen(double[] seen, int i) {
@@ -75,13 +89,13 @@ final class Cells {
 
   /** Counts, for each cell of a face, the boxes that are seen in it. */
   private int[] count(int at, double[] seen) {
-    int[] counts = new int[frames[at] <= frames[at + 1] ? SIDE * SIDE : 0];
+    int[] counts = new int[frames[at] <= frames[at + 1] ? side * side : 0];
     for (int i = 0; i < seen.length; i += 4) {
       if (isSeen(seen, i)) {
         int last = cell(seen[i + 1], at);
         for (int row = cell(seen[i + 2], at + 3); row <= cell(seen[i + 3], at + 3); row++) {
           for (int column = cell(seen[i], at); column <= last; column++) {
-            counts[SIDE * row + column]++;
+            counts[side * row + column]++;
           }
         }
       }
@@ -90,7 +104,7 @@ final class Cells {
   }
 
   /** Turns counts into lists that are empty yet; returns where the next one may start. */
-  private static int lay(int[] counts, int start) {
+  private int lay(int[] counts, int start) {
     int next = start;
     for (int cell = 0; cell < counts.length; cell++) {
       int count = counts[cell];
@@ -107,7 +121,7 @@ final class Cells {
         int last = cell(seen[i + 1], at);
         for (int row = cell(seen[i + 2], at + 3); row <= cell(seen[i + 3], at + 3); row++) {
           for (int column = cell(seen[i], at); column <= last; column++) {
-            add(lists[face], SIDE * row + column, i / 4);
+            add(lists[face], side * row + column, i / 4);
           }
         }
       }
@@ -124,7 +138,7 @@ final class Cells {
 
   /** Which cell of a row or column a coordinate lies in; a greater one lies in no lower cell. */
   private int cell(double v, int at) {
-    return Math.min((int) ((v - frames[at]) * frames[at + 2]), SIDE - 1);
+    return Math.min((int) ((v - frames[at]) * frames[at + 2]), side - 1);
   }
 
   /** Returns the list for a place on a face, or {@link #MANY}. */
@@ -134,7 +148,7 @@ final class Cells {
     if (!(within && w >= frames[at + 3] && w <= frames[at + 4])) {
       return NOTHING;
     }
-    return lists[face][SIDE * cell(w, at + 3) + cell(v, at)];
+    return lists[face][side * cell(w, at + 3) + cell(v, at)];
   }
 
   /** Returns where a list starts. */

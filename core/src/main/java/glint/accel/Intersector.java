@@ -167,19 +167,21 @@ public final class Intersector {
       return;
     }
     int list = pencil == null ? Cells.MANY : pencil.list(ray);
-    if (list != Cells.MANY) {
+    if (list == Cells.MANY) {
+      slabs.set(ray, size, primitives.conditioning());
+      if (tree == null) {
+        scan(ray, hit, stopAtFirst);
+      } else {
+        walk(tree.root, ray, hit, stopAtFirst);
+      }
+    } else if (pencil.inParts()) {
+      walkParts(pencil, list, ray, hit, stopAtFirst);
+    } else {
       int start = Cells.start(list);
       int end = start + Cells.length(list);
       for (int i = start; i < end && !(stopAtFirst && hit.found()); i++) {
         intersect(pencil.slot(i), ray, hit, stopAtFirst);
       }
-      return;
-    }
-    slabs.set(ray, size, primitives.conditioning());
-    if (tree == null) {
-      scan(ray, hit, stopAtFirst);
-    } else {
-      walk(ray, hit, stopAtFirst);
     }
   }
 
@@ -199,14 +201,31 @@ public final class Intersector {
     }
   }
 
-  private void walk(Ray ray, Hit hit, boolean stopAtFirst) {
+  /** Walks through the subtrees on a list whose boxes the ray meets before the closest hit. */
+  private void walkParts(Pencil pencil, int list, Ray ray, Hit hit, boolean stopAtFirst) {
+    slabs.set(ray, size, primitives.conditioning());
+    int[] nodes = tree.nodes;
+    double scale = ray.perWorldUnit();
+    int start = Slabs.bits(ray.tMin * scale);
+    int last = Cells.start(list) + Cells.length(list);
+    for (int i = Cells.start(list); i < last && !(stopAtFirst && hit.found()); i++) {
+      int place = pencil.part(i);
+      int end = Slabs.bits(hit.t * scale);
+      if (slabs.enter(nodes, place, start) <= slabs.leave(nodes, place, end)) {
+        walk(Bvh.child(nodes, place), ray, hit, stopAtFirst);
+      }
+    }
+  }
+
+  /** Walks through a subtree. */
+  private void walk(int from, Ray ray, Hit hit, boolean stopAtFirst) {
     int[] nodes = tree.nodes;
     int bounded = primitives.unbounded();
     double scale = ray.perWorldUnit();
     int start = Slabs.bits(ray.tMin * scale);
     int end = Slabs.bits(hit.t * scale);
     int top = 0;
-    int node = tree.root;
+    int node = from;
     while (node != END) {
       while (node >= 0) {
         nodesVisited++;

@@ -39,14 +39,17 @@ public final class Pencil {
 
   private final Cells cells;
 
-  /** The slot of the first box. */
+  /** The slot of the first box, where lists are of primitives. */
   private final int first;
+
+  /** Where the boxes of the subtrees begin that lists are of, or null. */
+  private final int[] places;
 
   /**
    * Makes lists of boxes that are wider than the tree's by what a hit may lie off its primitive and
    * a ray off its place (see docs/numerics.md).
    */
-  private Pencil(Vector3d p, boolean parallel, boolean begins, Primitives primitives) {
+  private Pencil(Vector3d p, boolean parallel, boolean begins, Primitives primitives, Parts parts) {
     px = p.x();
     py = p.y();
     pz = p.z();
@@ -56,40 +59,55 @@ public final class Pencil {
     slopeV = component(p, axis + 1) / component(p, axis);
     slopeW = component(p, axis + 2) / component(p, axis);
     first = primitives.unbounded();
-    double size = Boxes.largestCoordinate(primitives);
+    double size = parts == null ? Boxes.largestCoordinate(primitives) : parts.size();
     double away = parallel ? size : Math.max(size, p.maxAbs());
     double farthest = begins && !parallel ? away : FAR * away;
     double margin =
         size * Boxes.MARGIN + Slabs.SLACK * primitives.conditioning() * (size + farthest);
     reach = margin < Double.POSITIVE_INFINITY ? farthest : Double.NaN; // else no ray is near enough
-    cells = new Cells(seen(primitives, p, margin));
+    places = parts == null ? null : parts.sorted(p, parallel);
+    cells = new Cells(seen(primitives, parts, p, margin));
   }
 
-  /** Makes lists for rays from a point. */
-  public static Pencil from(Vector3d point, Primitives primitives) {
-    return new Pencil(point, false, true, primitives);
+  /**
+   * Makes lists for rays from a point.
+   *
+   * @param parts of which lists are to be made in place of primitives, or null
+   */
+  public static Pencil from(Vector3d point, Primitives primitives, Parts parts) {
+    return new Pencil(point, false, true, primitives, parts);
   }
 
   /**
    * Makes lists for rays to a point, which end there: with the difference of point and origin, or a
    * power of two times it, for a direction.
+   *
+   * @param parts of which lists are to be made in place of primitives, or null
    */
-  public static Pencil to(Vector3d point, Primitives primitives) {
-    return new Pencil(point, false, false, primitives);
+  public static Pencil to(Vector3d point, Primitives primitives, Parts parts) {
+    return new Pencil(point, false, false, primitives, parts);
   }
 
-  /** Makes lists for rays of one direction, not zero. */
-  public static Pencil along(Vector3d direction, Primitives primitives) {
-    return new Pencil(direction, true, true, primitives);
+  /**
+   * Makes lists for rays of one direction, not zero.
+   *
+   * @param parts of which lists are to be made in place of primitives, or null
+   */
+  public static Pencil along(Vector3d direction, Primitives primitives, Parts parts) {
+    return new Pencil(direction, true, true, primitives, parts);
   }
 
-  /** Finds, by face, the rectangles of the boxes of bounded primitives, wider by a margin. */
-  private double[][] seen(Primitives primitives, Vector3d p, double margin) {
-    int count = primitives.count() - first;
+  /** Finds, by face, the rectangles of the boxes of what lists are of, wider by a margin. */
+  private double[][] seen(Primitives primitives, Parts parts, Vector3d p, double margin) {
+    int count = parts == null ? primitives.count() - first : places.length;
     double[][] seen = new double[parallel ? 1 : 6][4 * count];
     double[] box = new double[6];
     for (int i = 0; i < count; i++) {
-      primitives.bounds(first + i, box);
+      if (parts == null) {
+        primitives.bounds(first + i, box);
+      } else {
+        parts.bounds(places[i], box);
+      }
       for (int a = 0; a < 3; a++) {
         double from = parallel ? 0 : component(p, a);
         box[a] = box[a] - margin - from;
@@ -108,14 +126,19 @@ public final class Pencil {
     return seen;
   }
 
-  /** Finds the range of a coordinate of a box where the direction carries it to a plane. */
+  /**
+   * Finds the range of a coordinate of a box where the direction carries it to a plane; one without
+   * a bound where that is not a number, because no float is as large as the box.
+   */
   private void shift(double[] box, int k, double[] out, int at) {
     int a = (axis + 1 + k) % 3;
     double slope = k == 0 ? slopeV : slopeW;
     double one = box[axis] * slope;
     double other = box[3 + axis] * slope;
-    out[at] = box[a] - Math.max(one, other);
-    out[at + 1] = box[3 + a] - Math.min(one, other);
+    double least = box[a] - Math.max(one, other);
+    double greatest = box[3 + a] - Math.min(one, other);
+    out[at] = least > Double.NEGATIVE_INFINITY ? least : Double.NEGATIVE_INFINITY;
+    out[at + 1] = greatest < Double.POSITIVE_INFINITY ? greatest : Double.POSITIVE_INFINITY;
   }
 
   /**
@@ -182,6 +205,16 @@ public final class Pencil {
   /** Returns the slot of the primitive at a place in the lists. */
   int slot(int place) {
     return first + cells.box(place);
+  }
+
+  /** Returns whether the lists are of subtrees, not of primitives. */
+  boolean inParts() {
+    return places != null;
+  }
+
+  /** Returns where the box of the subtree at a place in the lists begins. */
+  int part(int place) {
+    return places[cells.box(place)];
   }
 
   private static int axis(double x, double y, double z) {

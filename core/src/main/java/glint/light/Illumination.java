@@ -1,5 +1,6 @@
 package glint.light;
 
+import glint.accel.Parts;
 import glint.accel.Pencil;
 import glint.color.Rgb;
 import glint.geometry.Hit;
@@ -216,12 +217,16 @@ public final class Illumination {
     return hit.spawnTo(w.x(), w.y(), w.z(), ray);
   }
 
-  /** Returns the shadow rays to a light, or null if it has an area. */
-  public Pencil pencil(int i, Primitives primitives) {
+  /**
+   * Returns the shadow rays to a light, or null if it has an area.
+   *
+   * @param parts of which lists are to be made in place of primitives, or null
+   */
+  public Pencil pencil(int i, Primitives primitives, Parts parts) {
     return switch (kind[i]) {
       case LAMP -> null;
-      case DIRECTIONAL -> Pencil.along(where[i], primitives);
-      default -> Pencil.to(where[i], primitives);
+      case DIRECTIONAL -> Pencil.along(where[i], primitives, parts);
+      default -> Pencil.to(where[i], primitives, parts);
     };
   }
 

@@ -86,7 +86,7 @@ public final class Prepared {
     SurfaceTable surfaces = new SurfaceTable(scene.placements(), plan);
     Bvh tree = plan.tree().used() ? Bvh.over(primitives) : null;
     Primitives ordered = tree == null ? primitives : tree.primitives();
-    Pencils pencils = Pencils.of(scene, plan, lights, ordered);
+    Pencils pencils = Pencils.of(scene, plan, lights, ordered, tree);
     return new Prepared(scene, plan, lights, surfaces, ordered, tree, pencils);
   }
 

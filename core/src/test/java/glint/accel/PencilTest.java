@@ -136,10 +136,17 @@ class PencilTest {
     assertTrue(hits > 60 * worlds, "hits: " + hits);
   }
 
+  /** A few subtrees, or all leaves, or nothing. */
+  private static Parts parts(Random r, Bvh tree) {
+    int most = 2 + (int) StrictMath.pow(1000, r.nextDouble());
+    return tree.nodes() == 0 || r.nextInt(3) == 0 ? null : Parts.of(tree, most);
+  }
+
   private void fromAndTo(Random r, Bvh tree, double scale) {
     Vector3d p = end(r, tree.primitives(), scale);
-    Pencil from = Pencil.from(p, tree.primitives());
-    Pencil to = Pencil.to(p, tree.primitives());
+    Parts parts = parts(r, tree);
+    Pencil from = Pencil.from(p, tree.primitives(), parts);
+    Pencil to = Pencil.to(p, tree.primitives(), parts);
     Intersector search = new Intersector(tree);
     Intersector scan = new Intersector(tree.primitives());
     for (int i = 0; i < 100; i++) {
@@ -177,7 +184,7 @@ class PencilTest {
 
   private void along(Random r, Bvh tree, double scale) {
     Vector3d d = r.nextInt(3) == 0 ? v(0, -1, 0) : random(r, 1).normalized();
-    Pencil pencil = Pencil.along(d, tree.primitives());
+    Pencil pencil = Pencil.along(d, tree.primitives(), parts(r, tree));
     Intersector search = new Intersector(tree);
     Intersector scan = new Intersector(tree.primitives());
     for (int i = 0; i < 100; i++) {
@@ -209,38 +216,39 @@ class PencilTest {
     Primitives ball = builder.build();
     Vector3d p = v(3, 4, 5);
     ray.set(3, 4, 5, -1, 0, 0);
-    assertNotEquals(Cells.MANY, Pencil.from(p, ball).list(ray));
+    assertNotEquals(Cells.MANY, Pencil.from(p, ball, null).list(ray));
     ray.set(3, 4, Math.nextUp(5.0), -1, 0, 0);
-    assertEquals(Cells.MANY, Pencil.from(p, ball).list(ray));
+    assertEquals(Cells.MANY, Pencil.from(p, ball, null).list(ray));
     ray.set(3, 4, 5, 3, 4, 5);
-    assertNotEquals(Cells.MANY, Pencil.along(p, ball).list(ray));
+    assertNotEquals(Cells.MANY, Pencil.along(p, ball, null).list(ray));
     ray.set(3, 4, 5, 3, Math.nextUp(4.0), 5);
-    assertEquals(Cells.MANY, Pencil.along(p, ball).list(ray));
+    assertEquals(Cells.MANY, Pencil.along(p, ball, null).list(ray));
     for (double far : new double[] {1e9, Double.POSITIVE_INFINITY, Double.NaN}) {
       ray.set(far, 4, 5, -1, 0, 0);
-      assertEquals(Cells.MANY, Pencil.to(p, ball).list(ray));
+      assertEquals(Cells.MANY, Pencil.to(p, ball, null).list(ray));
       ray.set(far, 4, 5, 3, 4, 5);
-      assertEquals(Cells.MANY, Pencil.along(p, ball).list(ray));
+      assertEquals(Cells.MANY, Pencil.along(p, ball, null).list(ray));
     }
   }
 
-  /** A ball at distance 4 is seen in a cell of one face; with it eight others, but not nine. */
+  /** Balls at distance 4 are seen in a cell of one face; fifteen have a list, but not sixteen. */
   @Test
   void listsHoldWhatIsSeenInACell() {
     Primitives.Builder builder = new Primitives.Builder();
-    for (int i = 0; i < 9; i++) {
+    for (int i = 0; i < 16; i++) {
       builder.add(new Sphere(v(4, 0, 0), 0.1), Transform.IDENTITY, i);
-      builder.add(new Sphere(v(0, i < 8 ? 4 : 9, i < 8 ? 0 : 9), 0.1), Transform.IDENTITY, 9 + i);
+      builder.add(
+          new Sphere(v(0, i < 15 ? 4 : 9, i < 15 ? 0 : 9), 0.1), Transform.IDENTITY, 16 + i);
     }
-    builder.add(new Plane(v(0, -1, 0), v(0, 1, 0)), Transform.IDENTITY, 18);
-    Pencil pencil = Pencil.from(Vector3d.ZERO, builder.build());
+    builder.add(new Plane(v(0, -1, 0), v(0, 1, 0)), Transform.IDENTITY, 32);
+    Pencil pencil = Pencil.from(Vector3d.ZERO, builder.build(), null);
     assertEquals(Cells.MANY, list(pencil, v(1, 0, 0)));
-    assertEquals(8, Cells.length(list(pencil, v(0, 1, 0))));
+    assertEquals(15, Cells.length(list(pencil, v(0, 1, 0))));
     assertEquals(0, Cells.length(list(pencil, v(1, 0.9, 0))));
     assertEquals(0, Cells.length(list(pencil, v(-1, 0, 0))));
     int one = list(pencil, v(0, 1, 1));
     assertEquals(1, Cells.length(one));
-    assertEquals(18, pencil.slot(Cells.start(one)));
+    assertEquals(32, pencil.slot(Cells.start(one)));
   }
 
   private int list(Pencil pencil, Vector3d d) {

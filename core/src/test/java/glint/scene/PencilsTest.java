@@ -10,6 +10,7 @@ import glint.accel.Intersector;
 import glint.accel.Pencil;
 import glint.color.Rgb;
 import glint.geometry.Hit;
+import glint.geometry.Mesh;
 import glint.geometry.Ray;
 import glint.geometry.Sphere;
 import glint.light.Light;
@@ -76,6 +77,49 @@ class PencilsTest {
     assertTrue(look(Prepared.of(balls(camera(EYE, new Orthographic(9), 0)))) > 50);
     Scene other = seen.scene().seenBy(camera(v(15, 3, 2), PERSPECTIVE, 0), 16, 12);
     assertTrue(look(seen.seenIn(other)) > 50);
+  }
+
+  /** Of a mesh of many triangles rays begin at subtrees, and meet what they meet from the root. */
+  @Test
+  void subtreesOfMany() {
+    int side = 101;
+    double[] points = new double[3 * side * side];
+    int[] corners = new int[6 * (side - 1) * (side - 1)];
+    for (int i = 0; i < side * side; i++) {
+      int row = i / side;
+      points[3 * i] = (i % side) * 0.1 - 5;
+      points[3 * i + 1] = StrictMath.sin(i % side) * StrictMath.cos(row);
+      points[3 * i + 2] = row * 0.1 - 5;
+    }
+    for (int i = 0, at = 0; i < side * (side - 1); i++) {
+      if (i % side < side - 1) {
+        for (int corner : new int[] {i, i + 1, i + side, i + 1, i + side, i + side + 1}) {
+          corners[at++] = corner;
+        }
+      }
+    }
+    Scene.Builder hills = new Scene.Builder("hills").size(40, 30);
+    hills.camera(camera(EYE, PERSPECTIVE, 0));
+    hills.place(Placement.of(new Mesh(points, corners), Material.WHITE));
+    Prepared scene = Prepared.of(hills.build());
+    Intersector listed = scene.intersector();
+    Intersector plain = scene.intersector();
+    View view = new View(scene.scene().camera(), 40, 30);
+    Ray ray = new Ray();
+    Hit a = new Hit();
+    Hit b = new Hit();
+    int met = 0;
+    for (int i = 0; i < 40 * 30; i++) {
+      int row = i / 40;
+      double end = view.ray(i % 40 + 0.3, row + 0.7, ray);
+      listed.closest(ray, end, scene.pencils().fromEye(), a);
+      plain.closest(ray, end, b);
+      assertEquals(b.primitive, a.primitive);
+      assertEquals(b.t, a.t);
+      met += a.found() ? 1 : 0;
+    }
+    assertTrue(met > 200, "met: " + met);
+    assertTrue(3 * listed.nodesVisited() < 2 * plain.nodesVisited());
   }
 
   @Test
