@@ -35,9 +35,10 @@ public final class Pencils {
   static Decision decide(Scene scene, Illumination lights, Primitives primitives) {
     String feature = "pencils";
     int bounded = primitives.count() - primitives.unbounded();
-    if (bounded < 2) {
-      String which = "rays have no choice: " + bounded + " bounded primitives";
-      return new Decision(feature, false, which);
+    boolean instanced = bounded > MOST && !primitives.models().isEmpty();
+    if (bounded < 2 || instanced) { // lists would take more memory than so many instances may
+      String which = bounded < 2 ? "rays have no choice" : "too much for short lists";
+      return new Decision(feature, false, which + ": " + bounded + " bounded primitives");
     }
     boolean sharp = !RenderPlan.lens(scene).used();
     boolean shadows = RenderPlan.shadows(scene, lights).used();
