@@ -20,6 +20,13 @@ final class Arc {
   /** Whether the upper left corner is to the left of the chord. */
   private boolean cornerLeft;
 
+  /** The chord. */
+  private double dx;
+
+  private double dy;
+  private double squared;
+  private double length;
+
   private double bulge;
   private double doubt;
 
@@ -37,6 +44,14 @@ final class Arc {
     this.y = y;
   }
 
+  /** Turns to the chord that is given now. */
+  void turn() {
+    dx = x[1] - x[0];
+    dy = y[1] - y[0];
+    squared = dx * dx + dy * dy;
+    length = Math.sqrt(squared);
+  }
+
   /**
    * Finds how the edge curves from what it does in the two neighbours: like a circle, which covers
    * L³κ/12 more than its chord of length L, if both turn the same way.
@@ -47,9 +62,6 @@ final class Arc {
     cornerLeft = orientation > 0;
     double one = curvature(column, row, 0);
     double two = curvature(column, row, 1);
-    double dx = x[1] - x[0];
-    double dy = y[1] - y[0];
-    double length = Math.sqrt(dx * dx + dy * dy);
     double unit = length * length * length / 12;
     double common = one * two > 0 ? Math.copySign(Math.min(Math.abs(one), Math.abs(two)), one) : 0;
     bulge = unit * (cornerLeft ? common : -common);
@@ -65,6 +77,11 @@ final class Arc {
     cornerLeft = orientation > 0;
     bulge = isInside(known) ? known : 0;
     doubt = Math.abs(known - bulge);
+  }
+
+  /** Returns the length of the chord. */
+  double length() {
+    return length;
   }
 
   /**
@@ -105,14 +122,11 @@ final class Arc {
 
   /** Returns by how much the edge turns to the left per length on the way to where it goes on. */
   private double turn(int end, double px, double py) {
-    double dx = x[1] - x[0];
-    double dy = y[1] - y[0];
     double ex = end == 1 ? px - x[1] : x[0] - px;
     double ey = end == 1 ? py - y[1] : y[0] - py;
-    double d = Math.sqrt(dx * dx + dy * dy);
     double e = Math.sqrt(ex * ex + ey * ey);
     double turn = end == 1 ? dx * ey - dy * ex : ex * dy - ey * dx;
-    return d > 0 && e > 0 ? 2 * turn / (d * e * (d + e)) : 0;
+    return length > 0 && e > 0 ? 2 * turn / (length * e * (length + e)) : 0;
   }
 
   /**
@@ -120,9 +134,7 @@ final class Arc {
    * it does if its control point is in it, which is twice as far from the chord.
    */
   private boolean isInside(double bulge) {
-    double dx = x[1] - x[0];
-    double dy = y[1] - y[0];
-    double away = 3 * (cornerLeft ? -bulge : bulge) / (dx * dx + dy * dy);
+    double away = 3 * (cornerLeft ? -bulge : bulge) / squared;
     double controlX = 0.5 * (x[0] + x[1]) - away * dy;
     double controlY = 0.5 * (y[0] + y[1]) + away * dx;
     return controlX >= 0 && controlX <= 1 && controlY >= 0 && controlY <= 1;
@@ -130,9 +142,7 @@ final class Arc {
 
   /** Returns how far to the side the arc lies beside a place, as a parabola of the same bulge. */
   double beside(double u, double v) {
-    double dx = x[1] - x[0];
-    double dy = y[1] - y[0];
-    double along = ((u - x[0]) * dx + (v - y[0]) * dy) / (dx * dx + dy * dy);
+    double along = ((u - x[0]) * dx + (v - y[0]) * dy) / squared;
     double height = along > 0 && along < 1 ? 6 * bulge * along * (1 - along) : 0;
     return cornerLeft ? -height : height;
   }

@@ -138,22 +138,25 @@ final class Parts {
     int a = POINT * outline[0];
     int b = POINT * outline[1];
     double area = 0;
-    Arrays.fill(colour, 0);
+    double red = 0;
+    double green = 0;
+    double blue = 0;
     for (int i = 2; i < outline.length; i++) {
       int c = POINT * outline[i];
       double twice =
           (points[b] - points[a]) * (points[c + 1] - points[a + 1])
               - (points[b + 1] - points[a + 1]) * (points[c] - points[a]);
+      double third = twice / 3;
       area += twice;
-      for (int j = 0; j < 3; j++) {
-        colour[j] += twice / 3 * (points[a + 2 + j] + points[b + 2 + j] + points[c + 2 + j]);
-      }
+      red += third * (points[a + 2] + points[b + 2] + points[c + 2]);
+      green += third * (points[a + 3] + points[b + 3] + points[c + 3]);
+      blue += third * (points[a + 4] + points[b + 4] + points[c + 4]);
       b = c;
     }
     if (area > LEAST_AREA) {
-      for (int j = 0; j < 3; j++) {
-        colour[j] /= area;
-      }
+      colour[0] = red / area;
+      colour[1] = green / area;
+      colour[2] = blue / area;
     } else {
       plain(outline, colour);
     }

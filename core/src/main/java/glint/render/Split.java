@@ -34,8 +34,8 @@ final class Split {
   /** Twice the signed area of the triangle of the edge and the upper left corner. */
   private double orientation;
 
-  /** The share of the pixel on the side of its upper left corner. */
-  private double share;
+  /** The mean colour of the pixel. */
+  private final double[] mean = new double[3];
 
   Split(CornerGrid corners, Brackets brackets) {
     this.corners = corners;
@@ -56,7 +56,7 @@ final class Split {
     place(brackets.middle(crossed[0]), brackets.middle(crossed[1]));
     parts.fromSearch(column, row, which, x, y);
     arc.look(column, row, orientation);
-    share = share();
+    mix();
     return once;
   }
 
@@ -80,7 +80,7 @@ final class Split {
     place(one, two);
     arc.freeze(bulge, orientation);
     parts.fromCorners(column, row, which);
-    share = share();
+    mix();
   }
 
   /** Returns by how much the edge covers more than a straight one, as {@link #freeze} takes it. */
@@ -92,6 +92,7 @@ final class Split {
   private void place(double one, double two) {
     place(0, one);
     place(1, two);
+    arc.turn();
     orientation = side(0, 0);
   }
 
@@ -116,28 +117,30 @@ final class Split {
   }
 
   /**
-   * Returns the share of the pixel on the side of its upper left corner if the edge is straight.
+   * Returns the share of the pixel on the side of its upper left corner if the edge is straight,
+   * and crosses the two sides at places 0 to 1 along them.
    */
-  private double area() {
-    if (which[0] == 0 && which[1] == 1) {
-      return 0.5 * (x[0] + x[1]);
+  private double area(double one, double two) {
+    if (which[0] >> 1 == which[1] >> 1) {
+      return 0.5 * (one + two);
     }
-    if (which[0] == 2) {
-      return 0.5 * (y[0] + y[1]);
-    }
-    double dx = which[1] == 2 ? x[0] : 1 - x[0];
-    double dy = which[0] == 0 ? y[1] : 1 - y[1];
+    double dx = which[1] == 2 ? one : 1 - one;
+    double dy = which[0] == 0 ? two : 1 - two;
     double cornerCut = 0.5 * dx * dy;
     return which[0] == 0 && which[1] == 2 ? cornerCut : 1 - cornerCut;
   }
 
-  private double share() {
-    return Math.min(Math.max(area() + arc.bulge(), 0), 1);
+  /** Finds the mean of the two parts. */
+  private void mix() {
+    double share = Math.min(Math.max(area(along(0), along(1)) + arc.bulge(), 0), 1);
+    for (int channel = 0; channel < 3; channel++) {
+      mean[channel] = share * first[channel] + (1 - share) * second[channel];
+    }
   }
 
   /** Returns the mean of a channel over the pixel. */
   double mean(int channel) {
-    return share * first[channel] + (1 - share) * second[channel];
+    return mean[channel];
   }
 
   /** Returns the radiance of a channel at a place in the pixel. */
@@ -151,13 +154,10 @@ final class Split {
    * so near to it that nobody knows.
    */
   boolean agrees(boolean middleAsCorner) {
-    double dx = x[1] - x[0];
-    double dy = y[1] - y[0];
-    double length = Math.sqrt(dx * dx + dy * dy);
     double bracket = Math.max(brackets.length(crossed[0]), brackets.length(crossed[1]));
     double sag = 1.5 * (Math.abs(arc.bulge()) + arc.doubt());
     double middle = side(0.5, 0.5);
-    boolean near = Math.abs(middle) <= length * (bracket + NEAR) + sag;
+    boolean near = Math.abs(middle) <= arc.length() * (bracket + NEAR) + sag;
     return near || (middle < 0) == (orientation < 0) == middleAsCorner;
   }
 
@@ -171,19 +171,14 @@ final class Split {
    */
   double variance(LevelScale scale) {
     double atCorner = Math.min(brackets.atCorner(crossed[0]), brackets.atCorner(crossed[1]));
-    double variance = 0;
-    double sum = 0;
-    for (int i = 0; i < 2; i++) {
-      double along = along(i);
-      double half = 0.5 * brackets.length(crossed[i]);
-      place(i, along + half);
-      double more = area();
-      place(i, along - half);
-      double range = more - area();
-      place(i, along);
-      variance += range * range / 12; // of a number even in a range
-      sum += Math.abs(range) / 2;
-    }
+    double one = along(0);
+    double two = along(1);
+    double half = 0.5 * brackets.length(crossed[0]);
+    double range = area(one + half, two) - area(one - half, two);
+    half = 0.5 * brackets.length(crossed[1]);
+    double other = area(one, two + half) - area(one, two - half);
+    double sum = Math.abs(range) / 2 + Math.abs(other) / 2;
+    double variance = range * range / 12 + other * other / 12; // of numbers even in ranges
     variance += atCorner * (sum * sum - variance);
     return inLevels(scale, Math.sqrt(variance));
   }
@@ -196,7 +191,7 @@ final class Split {
   private double inLevels(LevelScale scale, double error) {
     double sum = 0;
     for (int channel = 0; channel < 3; channel++) {
-      sum += scale.squaredError(mean(channel), error * (first[channel] - second[channel]));
+      sum += scale.squaredError(mean[channel], error * (first[channel] - second[channel]));
     }
     return sum / 3;
   }
