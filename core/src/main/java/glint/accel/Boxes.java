@@ -1,6 +1,8 @@
 package glint.accel;
 
 import glint.geometry.Primitives;
+import java.util.Comparator;
+import java.util.stream.IntStream;
 
 /**
  * Boxes around the bounded primitives of a scene, for those that are not worth a tree; immutable.
@@ -18,18 +20,44 @@ public final class Boxes {
 
   /**
    * For each bounded primitive the bits of six floats, the least and the greatest corner, rounded
-   * outward.
+   * outward; the smallest box first.
    */
   final int[] bits;
+
+  /** The slots of the primitives, in the order of their boxes. */
+  final int[] slots;
 
   private Boxes(Primitives primitives) {
     this.primitives = primitives;
     size = largestCoordinate(primitives);
     float[] boxes = around(primitives, size * MARGIN);
+    slots = smallestFirst(boxes);
     bits = new int[boxes.length];
-    for (int i = 0; i < bits.length; i++) {
-      bits[i] = Float.floatToIntBits(boxes[i]);
+    for (int i = 0; i < slots.length; i++) {
+      for (int j = 0; j < 6; j++) {
+        bits[6 * i + j] = Float.floatToIntBits(boxes[6 * slots[i] + j]);
+      }
+      slots[i] += primitives.unbounded();
     }
+  }
+
+  /**
+   * Returns the numbers of boxes in the order of their areas: what a ray meets that is small lies
+   * before what is large more often than behind.
+   */
+  private static int[] smallestFirst(float[] boxes) {
+    return IntStream.range(0, boxes.length / 6)
+        .boxed()
+        .sorted(Comparator.comparingDouble(i -> area(boxes, 6 * i)))
+        .mapToInt(Integer::intValue)
+        .toArray();
+  }
+
+  private static double area(float[] boxes, int at) {
+    double x = (double) boxes[at + 3] - boxes[at];
+    double y = (double) boxes[at + 4] - boxes[at + 1];
+    double z = (double) boxes[at + 5] - boxes[at + 2];
+    return x * y + y * z + z * x;
   }
 
   /** Finds the boxes. */

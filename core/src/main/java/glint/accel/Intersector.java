@@ -188,16 +188,16 @@ public final class Intersector {
   /** Tries everything whose box the ray meets before the closest hit so far. */
   private void scan(Ray ray, Hit hit, boolean stopAtFirst) {
     int[] bits = boxes.bits;
-    int slot = primitives.unbounded();
+    int next = 0;
     double scale = ray.perWorldUnit();
     int start = Slabs.bits(ray.tMin * scale);
     int end = Slabs.bits(hit.t * scale);
     for (int at = 0; at < bits.length && !(stopAtFirst && hit.found()); at += 6) {
       if (slabs.enter(bits, at, start) <= slabs.leave(bits, at, end)) {
-        primitives.intersect(slot, ray, hit, local);
+        primitives.intersect(boxes.slots[next], ray, hit, local);
         end = Slabs.bits(hit.t * scale);
       }
-      slot++;
+      next++;
     }
   }
 
