@@ -44,8 +44,8 @@ final class Arc {
     this.y = y;
   }
 
-  /** Turns to the chord that is given now. */
-  void turn() {
+  /** Measures the chord that is given now. */
+  void measure() {
     dx = x[1] - x[0];
     dy = y[1] - y[0];
     squared = dx * dx + dy * dy;

@@ -92,7 +92,7 @@ final class Split {
   private void place(double one, double two) {
     place(0, one);
     place(1, two);
-    arc.turn();
+    arc.measure();
     orientation = side(0, 0);
   }
 
