@@ -61,7 +61,7 @@ final class TriangleKernel {
     double u = cx * by - cy * bx;
     double v = ax * cy - ay * cx;
     double w = bx * ay - by * ax;
-    if ((u < 0 || v < 0 || w < 0) && (u > 0 || v > 0 || w > 0)) {
+    if (areApart(u, v, w)) {
       return;
     }
     double det = u + v + w;
@@ -103,6 +103,23 @@ final class TriangleKernel {
     if (ahead && !isEdgeOn(data, at, ray)) {
       hit.offer(ray, t, id, crossing, u / det, v / det);
     }
+  }
+
+  /**
+   * Returns whether of three numbers one is below zero and another above it.
+   *
+   * <p>Mostly the signs tell, in one branch: six, one for each comparison, would often be
+   * mispredicted. A zero has a sign that says nothing.
+   */
+  private static boolean areApart(double u, double v, double w) {
+    long first = Double.doubleToRawLongBits(u);
+    long second = Double.doubleToRawLongBits(v);
+    long third = Double.doubleToRawLongBits(w);
+    if (((first ^ second) | (second ^ third)) >= 0) {
+      return false;
+    }
+    boolean zero = u == 0 || v == 0 || w == 0;
+    return !zero || ((u < 0 || v < 0 || w < 0) && (u > 0 || v > 0 || w > 0));
   }
 
   /**
