@@ -67,7 +67,7 @@ final class Slabs {
   /** Returns the largest coordinate at hand, or NaN, which no box is near, if not all is finite. */
   private static double reach(Ray ray, double size) {
     double reach = size + Math.max(Math.abs(ray.ox), Math.max(Math.abs(ray.oy), Math.abs(ray.oz)));
-    return reach + 0 * (reach + ray.dx + ray.dy + ray.dz);
+    return reach + 0 * (ray.dx + ray.dy + ray.dz + reach);
   }
 
   private static double steep(double d) {

@@ -3,7 +3,7 @@ package glint.geometry;
 import glint.math.Vector3d;
 
 /**
- * Ray against solid box: its least and greatest corner.
+ * Ray against solid box: its least and greatest corner, and by how much rays leave it moved.
  *
  * <p>Slabs (Kay and Kajiya 1986) with the near and far face of an axis chosen by the sign of the
  * direction, so that a ray inside a face's plane needs no 0·∞.
@@ -11,12 +11,14 @@ import glint.math.Vector3d;
 final class BoxKernel {
 
   /** How many doubles a box takes. */
-  static final int SIZE = 6;
+  static final int SIZE = 7;
 
   private BoxKernel() {}
 
+  /** Storing a moved point rounds by half an ulp of the coordinate; two ulp are safely outside. */
   static double[] pack(Vector3d min, Vector3d max) {
-    return new double[] {min.x(), min.y(), min.z(), max.x(), max.y(), max.z()};
+    double offset = 2 * 0x1p-52 * Math.max(min.maxAbs(), max.maxAbs());
+    return new double[] {min.x(), min.y(), min.z(), max.x(), max.y(), max.z(), offset};
   }
 
   static void intersect(double[] data, int at, Ray ray, Hit hit, int id) {
@@ -96,11 +98,7 @@ final class BoxKernel {
     }
   }
 
-  /**
-   * Puts the point onto the face that was hit, exactly.
-   *
-   * <p>Storing the moved point rounds by half an ulp of the coordinate; two ulp are safely outside.
-   */
+  /** Puts the point onto the face that was hit, exactly. */
   static void resolve(double[] data, int at, Ray ray, Hit hit) {
     int face = (int) hit.u;
     hit.px = within(data, at, ray.ox + hit.t * ray.dx);
@@ -124,11 +122,7 @@ final class BoxKernel {
         hit.nz = outward;
       }
     }
-    double largest = 0;
-    for (int i = 0; i < SIZE; i++) {
-      largest = Math.max(largest, Math.abs(data[at + i]));
-    }
-    hit.offset = 2 * 0x1p-52 * largest;
+    hit.offset = data[at + 6];
   }
 
   private static double within(double[] data, int at, double x) {

@@ -106,7 +106,7 @@ public final class Ray {
 
   /** Returns the exponent of the largest component: at least -1023. */
   static int exponent(double x, double y, double z) {
-    return Math.getExponent(Math.max(Math.abs(x), Math.max(Math.abs(y), Math.abs(z))));
+    return Math.max(Math.getExponent(x), Math.max(Math.getExponent(y), Math.getExponent(z)));
   }
 
   /** Returns 2 to a power from -1022 to 1023. */

@@ -78,9 +78,12 @@ final class Signature {
     add(surface);
     boolean smooth = hit.sx != hit.nx || hit.sy != hit.ny || hit.sz != hit.nz;
     if (!hit.curved && !smooth) {
-      add(Math.round(hit.nx * FACET));
-      add(Math.round(hit.ny * FACET));
-      add(Math.round(hit.nz * FACET));
+      add((facet(hit.nx) << 24) + (facet(hit.ny) << 12) + facet(hit.nz));
     }
+  }
+
+  /** Returns a component of a unit vector as a whole number of 12 bits. */
+  private static long facet(double component) {
+    return (int) (component * FACET + (FACET + 0.5));
   }
 }
