@@ -23,6 +23,9 @@ final class Brackets {
   /** The same for the first time: edges just through the middle are nothing special then. */
   private static final double FIRST_SHARE = 0.2;
 
+  /** How far apart the places are, in a pixel, at which pixels are looked at. */
+  private static final double AMID = 0.3;
+
   /** How near to a corner that is. */
   private static final float BESIDE_CORNER = 0x1p-12f;
 
@@ -80,10 +83,36 @@ final class Brackets {
     return 0.5f * (low[at] + high[at]);
   }
 
+  /** Returns where a side's bracket begins. */
+  float low(int number) {
+    return low[place[number]];
+  }
+
   /** Returns the length of a side's bracket. */
   float length(int number) {
     int at = place[number];
     return high[at] - low[at];
+  }
+
+  /**
+   * Returns where in a pixel it is looked at, from the left: near the middle, in each pixel
+   * elsewhere for the same reason.
+   */
+  double insideX(int column, int row) {
+    return amid(hash(column, row) >>> 32);
+  }
+
+  /** Returns where that is from the top. */
+  double insideY(int column, int row) {
+    return amid(hash(column, row) & 0xffffffffL);
+  }
+
+  private long hash(int column, int row) {
+    return SobolSampler.mix(seed ^ ((long) row << 32 | column));
+  }
+
+  private static double amid(long bits) {
+    return 0.5 + AMID * (bits * 0x1p-32 - 0.5);
   }
 
   /** Asks for a side's bracket to be divided, perhaps beside the corner that it ends at. */

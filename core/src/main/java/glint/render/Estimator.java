@@ -66,7 +66,8 @@ final class Estimator {
   /** Takes a split pixel from its two parts; returns whether they are what is in it. */
   private boolean showParts(int x, int y) {
     int pixel = y * film.width + x;
-    if (!split.look(x, y) || !split.agrees(film.middleAsCorner[pixel])) {
+    boolean inside = film.insideAsCorner[pixel];
+    if (!split.look(x, y, inside) || !split.agrees(inside)) {
       return false;
     }
     film.image.set(x, y, split.mean(0), split.mean(1), split.mean(2));

@@ -48,11 +48,11 @@ final class Film {
   /** Whether corners do not tell all that is to be seen, because their rays are random ones. */
   final boolean[] random;
 
-  /** Whether the middle was looked at. */
+  /** Whether the pixel was looked at amid its corners. */
   final boolean[] checked;
 
-  /** Whether the middle is of a kind with the upper left corner, if it was looked at. */
-  final boolean[] middleAsCorner;
+  /** Whether what was seen there is of a kind with the upper left corner. */
+  final boolean[] insideAsCorner;
 
   /** The logarithm to base 2 of the number of samples; 0 for none. */
   final byte[] level;
@@ -113,7 +113,7 @@ final class Film {
     inlaid = new boolean[count];
     random = new boolean[count];
     checked = new boolean[count];
-    middleAsCorner = new boolean[count];
+    insideAsCorner = new boolean[count];
     level = new byte[count];
     own = new float[count];
     doubt = new float[count];

@@ -41,7 +41,7 @@ final class Refiner {
     this.probe = probe;
     split = new Split(corners, brackets);
     inlay = new Inlay(corners, scale, probe.scene(), levels);
-    survey = new Survey(film, corners, inlay, probe);
+    survey = new Survey(film, corners, brackets, inlay, probe);
     aim = new Aim(corners, scale, probe);
     estimator = new Estimator(film, corners, brackets, inlay, scale);
   }
@@ -115,7 +115,8 @@ final class Refiner {
   private void freeze(int x, int y, int slot) {
     int pixel = y * film.width + x;
     film.prior[slot] = film.own[pixel];
-    if (film.kind[pixel] == Film.SPLIT && !split.look(x, y)) {
+    boolean inside = film.insideAsCorner[pixel];
+    if (film.kind[pixel] == Film.SPLIT && !split.look(x, y, inside)) {
       film.kind[pixel] = Film.BUSY;
     }
     if (film.kind[pixel] == Film.SPLIT) {

@@ -24,6 +24,7 @@ final class Split {
   /** Which side of the pixel each is: 0 top, 1 bottom, 2 left, 3 right. */
   private final int[] which = new int[2];
 
+  private final Chords chords;
   private final Parts parts;
 
   /** The mean colour on the side of the upper left corner, and on the other. */
@@ -40,6 +41,7 @@ final class Split {
   Split(CornerGrid corners, Brackets brackets) {
     this.corners = corners;
     this.brackets = brackets;
+    chords = new Chords(brackets, which);
     arc = new Arc(corners, brackets, which, x, y);
     parts = new Parts(corners, brackets);
     first = parts.first;
@@ -49,14 +51,17 @@ final class Split {
   /**
    * Looks at a pixel two of whose sides have different ends.
    *
-   * @return whether each of the two is crossed once, as far as is known
+   * @param insideAsCorner whether the place looked at in the pixel is of a kind with its upper left
+   *     corner
+   * @return whether each of the two sides is crossed once, as far as is known
    */
-  boolean look(int column, int row) {
+  boolean look(int column, int row, boolean insideAsCorner) {
     boolean once = cross(column, row);
-    place(brackets.middle(crossed[0]), brackets.middle(crossed[1]));
+    chords.look(column, row, crossed, insideAsCorner);
+    place(chords.one, chords.two);
     parts.fromSearch(column, row, which, x, y);
     arc.look(column, row, orientation);
-    mix();
+    mix(chords.area);
     return once;
   }
 
@@ -80,7 +85,7 @@ final class Split {
     place(one, two);
     arc.freeze(bulge, orientation);
     parts.fromCorners(column, row, which);
-    mix();
+    mix(chords.area(one, two));
   }
 
   /** Returns by how much the edge covers more than a straight one, as {@link #freeze} takes it. */
@@ -117,22 +122,12 @@ final class Split {
   }
 
   /**
-   * Returns the share of the pixel on the side of its upper left corner if the edge is straight,
-   * and crosses the two sides at places 0 to 1 along them.
+   * Finds the mean of the two parts.
+   *
+   * @param straight the share of the first if the edge is straight
    */
-  private double area(double one, double two) {
-    if (which[0] >> 1 == which[1] >> 1) {
-      return 0.5 * (one + two);
-    }
-    double dx = which[1] == 2 ? one : 1 - one;
-    double dy = which[0] == 0 ? two : 1 - two;
-    double cornerCut = 0.5 * dx * dy;
-    return which[0] == 0 && which[1] == 2 ? cornerCut : 1 - cornerCut;
-  }
-
-  /** Finds the mean of the two parts. */
-  private void mix() {
-    double share = Math.min(Math.max(area(along(0), along(1)) + arc.bulge(), 0), 1);
+  private void mix(double straight) {
+    double share = Math.min(Math.max(straight + arc.bulge(), 0), 1);
     for (int channel = 0; channel < 3; channel++) {
       mean[channel] = share * first[channel] + (1 - share) * second[channel];
     }
@@ -150,15 +145,15 @@ final class Split {
   }
 
   /**
-   * Returns whether the middle of the pixel is on the side of the edge where it was seen to be, or
-   * so near to it that nobody knows.
+   * Returns whether the place looked at in the pixel is on the side of the edge where it was seen
+   * to be, or so near to it that nobody knows.
    */
-  boolean agrees(boolean middleAsCorner) {
+  boolean agrees(boolean insideAsCorner) {
     double bracket = Math.max(brackets.length(crossed[0]), brackets.length(crossed[1]));
     double sag = 1.5 * (Math.abs(arc.bulge()) + arc.doubt());
-    double middle = side(0.5, 0.5);
-    boolean near = Math.abs(middle) <= arc.length() * (bracket + NEAR) + sag;
-    return near || (middle < 0) == (orientation < 0) == middleAsCorner;
+    double inside = side(chords.insideX, chords.insideY);
+    boolean near = Math.abs(inside) <= arc.length() * (bracket + NEAR) + sag;
+    return near || (inside < 0) == (orientation < 0) == insideAsCorner;
   }
 
   private double side(double u, double v) {
@@ -171,15 +166,11 @@ final class Split {
    */
   double variance(LevelScale scale) {
     double atCorner = Math.min(brackets.atCorner(crossed[0]), brackets.atCorner(crossed[1]));
-    double one = along(0);
-    double two = along(1);
-    double half = 0.5 * brackets.length(crossed[0]);
-    double range = area(one + half, two) - area(one - half, two);
-    half = 0.5 * brackets.length(crossed[1]);
-    double other = area(one, two + half) - area(one, two - half);
-    double sum = Math.abs(range) / 2 + Math.abs(other) / 2;
-    double variance = range * range / 12 + other * other / 12; // of numbers even in ranges
-    variance += atCorner * (sum * sum - variance);
+    double variance = chords.variance;
+    if (atCorner > 0) {
+      double more = 0.5 * Math.abs(chords.area(1, 1) - chords.area(0, 0));
+      variance += atCorner * (more * more - variance);
+    }
     return inLevels(scale, Math.sqrt(variance));
   }
 

@@ -17,6 +17,7 @@ final class Survey {
 
   private final Film film;
   private final CornerGrid corners;
+  private final Brackets brackets;
   private final Probe probe;
   private final Inlay inlay;
   private final double[] scratch;
@@ -27,9 +28,10 @@ final class Survey {
   /** The sum over the up to three pixels of a column; one column more on each side. */
   private final int[] edges;
 
-  Survey(Film film, CornerGrid corners, Inlay inlay, Probe probe) {
+  Survey(Film film, CornerGrid corners, Brackets brackets, Inlay inlay, Probe probe) {
     this.film = film;
     this.corners = corners;
+    this.brackets = brackets;
     this.probe = probe;
     this.inlay = inlay;
     scratch = new double[6 * corners.stride];
@@ -92,7 +94,7 @@ final class Survey {
   }
 
   /**
-   * Looks into the middle of a pixel that is split or has much around it, once.
+   * Looks into a pixel that is split or has much around it, near its middle, once.
    *
    * @return whether something is there that no corner shows: then nothing is taken for known
    */
@@ -107,11 +109,11 @@ final class Survey {
     long[] met = corners.signature;
     int a = y * corners.stride + x;
     int c = a + corners.stride;
-    boolean finite = probe.trace(x + 0.5, y + 0.5);
-    long middle = probe.signature();
-    film.middleAsCorner[pixel] = middle == met[a];
+    boolean finite = probe.trace(x + brackets.insideX(x, y), y + brackets.insideY(x, y));
+    long inside = probe.signature();
+    film.insideAsCorner[pixel] = inside == met[a];
     boolean known =
-        middle == met[a] || middle == met[a + 1] || middle == met[c] || middle == met[c + 1];
+        inside == met[a] || inside == met[a + 1] || inside == met[c] || inside == met[c + 1];
     if (!finite || !known) {
       film.kind[pixel] = Film.BUSY;
       film.inlaid[pixel] = false;

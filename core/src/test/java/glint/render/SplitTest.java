@@ -27,7 +27,8 @@ class SplitTest {
       @ForAll @IntRange(max = 15) int second) {
     CornerGrid corners = corners(PATTERNS[pattern]);
     Split split = split(corners, first, second);
-    assertTrue(split.look(0, 0));
+    split.look(0, 0, true);
+    assertTrue(split.look(0, 0, split.agrees(true)));
     assertMeanIsOfAreas(split, PATTERNS[pattern]);
     assertEquals(corners.rgb[0], split.at(0, 0, 0), 1e-15);
     assertEquals(corners.rgb[3], split.at(0, 1, 0), 1e-15);
@@ -68,21 +69,48 @@ class SplitTest {
       @ForAll @IntRange(max = 5) int pattern,
       @ForAll @IntRange(max = 15) int first,
       @ForAll @IntRange(max = 15) int second) {
-    CornerGrid corners = corners(PATTERNS[pattern]);
+    assertFinerOnesAgree(PATTERNS[pattern], first, second, STEPS, 0.02);
+  }
+
+  @Property(tries = 6)
+  void ofSidesNeverDividedThoseCount(@ForAll @IntRange(max = 5) int pattern) {
+    assertFinerOnesAgree(PATTERNS[pattern], 0, 0, 0, 0.08);
+  }
+
+  /**
+   * Compares the mean and its variance with sixteen even places in each bracket, as if halved four
+   * times more, of which those count that have the place looked at on the side where it was seen.
+   */
+  private static void assertFinerOnesAgree(
+      long[] pattern, int first, int second, int steps, double share) {
+    CornerGrid corners = corners(pattern);
     LevelScale scale = LevelScale.of(Transfer.LINEAR);
-    Split known = split(corners, first, second);
-    known.look(0, 0);
-    // Sixteen even places in each bracket, as if halved four times more.
-    double sum = 0;
-    for (int i = 0; i < 256; i++) {
-      Split finer = split(corners, first * 16 + i % 16, second * 16 + i / 16, 2 * STEPS);
-      finer.look(0, 0);
-      double error = 255 * (finer.mean(0) - known.mean(0));
-      sum += error * error;
+    Brackets brackets = new Brackets(corners, 0);
+    for (boolean asCorner : new boolean[] {true, false}) {
+      Split known = split(corners, first, second, steps);
+      known.look(0, 0, asCorner);
+      int count = 0;
+      double sum = 0;
+      double squares = 0;
+      for (int i = 0; i < 256; i++) {
+        Split finer = split(corners, first * 16 + i % 16, second * 16 + i / 16, steps + 4);
+        finer.look(0, 0, asCorner);
+        double inside = finer.at(0, brackets.insideX(0, 0), brackets.insideY(0, 0));
+        if (Math.abs(inside - corners.rgb[0]) < 0.05 == asCorner) {
+          count++;
+          double error = 255 * (finer.mean(0) - known.mean(0));
+          sum += error;
+          squares += error * error;
+        }
+      }
+      if (count >= 64) { // fewer are too coarse
+        double bound = count == 256 ? share : 0.08;
+        // A channel in three carries it; corners' areas are products of places, hence the band.
+        double variance = squares / count;
+        assertEquals(variance / 3, known.variance(scale), bound * variance + 1e-4);
+        assertEquals(0, sum / count, 0.25 * Math.sqrt(variance));
+      }
     }
-    double expected = sum / 256;
-    // A channel in three carries it; corners' areas are products of places, hence the band.
-    assertEquals(expected / 3, known.variance(scale), 0.02 * expected + 1e-4);
   }
 
   private static CornerGrid corners(long[] signatures) {

@@ -29,7 +29,7 @@ class SurveyTest {
       @ForAll long seed) {
     Random random = new Random(seed);
     Film film = new Film(new Image(width, height));
-    Survey survey = new Survey(film, new CornerGrid(width, height, false, false), null, null);
+    Survey survey = new Survey(film, new CornerGrid(width, height, false, false), null, null, null);
     for (int pixel = 0; pixel < film.kind.length; pixel++) {
       film.kind[pixel] = (byte) random.nextInt(3);
     }
@@ -41,7 +41,7 @@ class SurveyTest {
       survey.count(row, Math.max(0, x - 1), Math.min(width, x + 2));
     }
     byte[] around = film.surroundings.clone();
-    count(new Survey(film, new CornerGrid(width, height, false, false), null, null), film);
+    count(new Survey(film, new CornerGrid(width, height, false, false), null, null, null), film);
     assertArrayEquals(film.surroundings, around);
   }
 
@@ -62,7 +62,7 @@ class SurveyTest {
       film.kind[pixel] = i < busy ? Film.BUSY : Film.SPLIT;
     }
     film.kind[4] = Film.SPLIT;
-    count(new Survey(film, new CornerGrid(3, 3, false, false), null, null), film);
+    count(new Survey(film, new CornerGrid(3, 3, false, false), null, null, null), film);
     int[] grades = {0, 1, 1, 2, 2, 3, 3, 3, 3};
     assertEquals(4 * grades[busy] + grades[split], film.surroundings[4]);
   }
@@ -83,7 +83,9 @@ class SurveyTest {
         new RenderSettings(3, 3, new Goal.Error(1), 0, OptionalInt.empty(), 1, 8, Set.of());
     CornerGrid corners = new CornerGrid(3, 3, false, false);
     Arrays.fill(corners.signature, 1);
-    Survey survey = new Survey(film, corners, null, new Probe(Prepared.of(empty), settings));
+    Survey survey =
+        new Survey(
+            film, corners, new Brackets(corners, 0), null, new Probe(Prepared.of(empty), settings));
     count(survey, film);
     assertEquals(busy > 0 || split > 4, survey.surprises(4));
     film.kind[4] = Film.SPLIT;
