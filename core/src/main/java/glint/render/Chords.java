@@ -34,6 +34,9 @@ final class Chords {
   /** The variance of that share. */
   double variance;
 
+  /** By how much it may be off if the edge runs just along the corners where both brackets end. */
+  double most;
+
   /**
    * Makes chords between sides that change with the numbers given.
    *
@@ -60,13 +63,13 @@ final class Chords {
     insideX = brackets.insideX(column, row);
     insideY = brackets.insideY(column, row);
     turned = side(one, two, 0, 0) < 0 == insideAsCorner;
+    area = area(one, two);
+    double range = Math.abs(area(low + length, two) - area(low, two));
+    double other = Math.abs(area(one, least + reach) - area(one, least));
+    most = 0.5 * (range + other);
+    variance = (range * range + other * other) / 12; // of numbers even in ranges
     if (mayPassOnEitherSide(low, length, least, reach)) {
       narrow(low, length, least, reach);
-    } else {
-      area = area(one, two);
-      double range = area(low + length, two) - area(low, two);
-      double other = area(one, least + reach) - area(one, least);
-      variance = (range * range + other * other) / 12; // of numbers even in ranges
     }
   }
 

@@ -167,10 +167,7 @@ final class Split {
   double variance(LevelScale scale) {
     double atCorner = Math.min(brackets.atCorner(crossed[0]), brackets.atCorner(crossed[1]));
     double variance = chords.variance;
-    if (atCorner > 0) {
-      double more = 0.5 * Math.abs(chords.area(1, 1) - chords.area(0, 0));
-      variance += atCorner * (more * more - variance);
-    }
+    variance += atCorner * (chords.most * chords.most - variance);
     return inLevels(scale, Math.sqrt(variance));
   }
 
