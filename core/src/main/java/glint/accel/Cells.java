@@ -1,5 +1,8 @@
 package glint.accel;
 
+import java.util.Arrays;
+import java.util.Comparator;
+
 /**
  * Grids of cells over rectangles, with a list for each cell of the few boxes that are seen in it;
  * immutable.
@@ -36,13 +39,17 @@ final class Cells {
   private final int[][] lists;
   private final int[] boxes;
 
+  /** How near each of those may be to where all are seen from, less what roundings add. */
+  private final float[] depths;
+
   /**
    * Lists boxes by their rectangles.
    *
    * @param seen by face four numbers for each box, its least and greatest v, its least and greatest
    *     w; the least above the greatest where it is not seen
+   * @param near by face a number for each box: how far, at least, it is away
    */
-  Cells(double[][] seen) {
+  Cells(double[][] seen, double[][] near) {
     side = side(seen[0].length / 4);
     frames = new double[6 * seen.length];
     lists = new int[seen.length][];
@@ -54,8 +61,9 @@ final class Cells {
       all = lay(lists[face], all);
     }
     boxes = new int[all];
+    depths = new float[all];
     for (int face = 0; face < seen.length; face++) {
-      fill(face, seen[face]);
+      fill(face, seen[face], near[face]);
     }
   }
 
@@ -114,24 +122,32 @@ final class Cells {
     return next;
   }
 
-  private void fill(int face, double[] seen) {
+  /** Fills the lists of a face: what is near comes first. */
+  private void fill(int face, double[] seen, double[] near) {
     int at = 6 * face;
-    for (int i = 0; i < seen.length; i += 4) {
+    Integer[] order = new Integer[near.length];
+    Arrays.setAll(order, box -> box);
+    Arrays.sort(order, Comparator.comparingDouble(box -> near[box]));
+    for (int box : order) {
+      int i = 4 * box;
       if (isSeen(seen, i)) {
+        float depth = Math.nextDown((float) near[box]);
         int last = cell(seen[i + 1], at);
         for (int row = cell(seen[i + 2], at + 3); row <= cell(seen[i + 3], at + 3); row++) {
           for (int column = cell(seen[i], at); column <= last; column++) {
-            add(lists[face], side * row + column, i / 4);
+            add(lists[face], side * row + column, box, depth);
           }
         }
       }
     }
   }
 
-  private void add(int[] of, int cell, int box) {
+  private void add(int[] of, int cell, int box, float depth) {
     int list = of[cell];
     if (list != MANY) {
-      boxes[start(list) + length(list)] = box;
+      int place = start(list) + length(list);
+      boxes[place] = box;
+      depths[place] = depth;
       of[cell] = list + 1;
     }
   }
@@ -159,6 +175,11 @@ final class Cells {
   /** Returns how long a list is. */
   static int length(int list) {
     return list & (1 << LENGTH_BITS) - 1;
+  }
+
+  /** Returns how far, at least, the box at a place in the lists is away; it grows along a list. */
+  float depth(int place) {
+    return depths[place];
   }
 
   /** Returns the number of the box at a place in the lists. */

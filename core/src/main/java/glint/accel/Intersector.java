@@ -179,8 +179,16 @@ public final class Intersector {
     } else {
       int start = Cells.start(list);
       int end = start + Cells.length(list);
+      double perT = pencil.depthPerT(ray);
+      double most = pencil.begin(ray);
       for (int i = start; i < end && !(stopAtFirst && hit.found()); i++) {
+        if (pencil.depth(i) > most) {
+          return;
+        }
         intersect(pencil.slot(i), ray, hit, stopAtFirst);
+        if (perT > 0) {
+          most = perT * hit.t;
+        }
       }
     }
   }

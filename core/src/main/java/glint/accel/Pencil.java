@@ -17,6 +17,9 @@ public final class Pencil {
   /** Rays may begin this many times as far away as things are. */
   private static final double FAR = 0x1p16;
 
+  /** What is left out must be farther by this share, for {@link Intersector#isAlone}. */
+  private static final double SORTED = 0x1p-18;
+
   /** The point, or the direction. */
   private final double px;
 
@@ -66,7 +69,9 @@ public final class Pencil {
         size * Boxes.MARGIN + Slabs.SLACK * primitives.conditioning() * (size + farthest);
     reach = margin < Double.POSITIVE_INFINITY ? farthest : Double.NaN; // else no ray is near enough
     places = parts == null ? null : parts.sorted(p, parallel);
-    cells = new Cells(seen(primitives, parts, p, margin));
+    int count = parts == null ? primitives.count() - first : places.length;
+    double[][] near = new double[parallel ? 1 : 6][count];
+    cells = new Cells(seen(primitives, parts, p, margin, near), near);
   }
 
   /**
@@ -98,9 +103,10 @@ public final class Pencil {
   }
 
   /** Finds, by face, the rectangles of the boxes of what lists are of, wider by a margin. */
-  private double[][] seen(Primitives primitives, Parts parts, Vector3d p, double margin) {
-    int count = parts == null ? primitives.count() - first : places.length;
-    double[][] seen = new double[parallel ? 1 : 6][4 * count];
+  private double[][] seen(
+      Primitives primitives, Parts parts, Vector3d p, double margin, double[][] near) {
+    int count = near[0].length;
+    double[][] seen = new double[near.length][4 * count];
     double[] box = new double[6];
     for (int i = 0; i < count; i++) {
       if (parts == null) {
@@ -114,6 +120,7 @@ public final class Pencil {
         box[3 + a] = box[3 + a] + margin - from;
       }
       for (int face = 0; face < seen.length; face++) {
+        near[face][i] = parallel ? i : (1 - SORTED) * near(box, face);
         for (int k = 0; k < 2; k++) {
           if (parallel) {
             shift(box, k, seen[face], 4 * i + 2 * k);
@@ -151,13 +158,40 @@ public final class Pencil {
   private static void project(double[] box, int face, int k, double[] out, int at) {
     int depth = face >> 1;
     boolean up = (face & 1) == 1;
-    double near = Math.max(0, up ? box[depth] : -box[3 + depth]);
+    double near = near(box, face);
     double far = up ? box[3 + depth] : -box[depth];
     int a = (depth + 1 + k) % 3;
     double least = box[a] / (box[a] < 0 ? near : far);
     double greatest = box[3 + a] / (box[3 + a] > 0 ? near : far);
     out[at] = far < 0 ? 1 : least > -1 ? least : -1;
     out[at + 1] = far < 0 ? -1 : greatest < 1 ? greatest : 1;
+  }
+
+  /** Returns how far from the origin, along the axis of a face, a box begins. */
+  private static double near(double[] box, int face) {
+    return Math.max(0, (face & 1) == 1 ? box[face >> 1] : -box[3 + (face >> 1)]);
+  }
+
+  /**
+   * Returns how many times its parameter a ray from the point gets away from it along an axis; 0
+   * where lists are not for that.
+   */
+  double depthPerT(Ray ray) {
+    return begins && !parallel ? largest(ray.dx, ray.dy, ray.dz) : 0;
+  }
+
+  /** Returns how far from the point, along an axis, a ray to it begins; all else has no bound. */
+  double begin(Ray ray) {
+    return begins ? Double.POSITIVE_INFINITY : largest(px - ray.ox, py - ray.oy, pz - ray.oz);
+  }
+
+  private static double largest(double x, double y, double z) {
+    return Math.max(Math.abs(x), Math.max(Math.abs(y), Math.abs(z)));
+  }
+
+  /** Returns how far from the point, along an axis, what is at a place in the lists begins. */
+  float depth(int place) {
+    return cells.depth(place);
   }
 
   /**

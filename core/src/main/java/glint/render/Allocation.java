@@ -1,7 +1,6 @@
 package glint.render;
 
 import java.util.Arrays;
-import java.util.function.IntConsumer;
 
 /**
  * Shares out work: chooses the pixels whose next refinement takes away most error for its rays, and
@@ -14,6 +13,9 @@ final class Allocation {
 
   private static final int BIN_SHIFT = 49;
   private static final int BINS = 1 << 63 - BIN_SHIFT;
+
+  /** What is worth so many bins less is worth a quarter: the next step of a search. */
+  private static final int QUARTER = 16;
 
   /** What is worth so many bins less than is done now, sixteen times, is left out of account. */
   private static final int MARGIN = 32;
@@ -32,6 +34,17 @@ final class Allocation {
 
   /** An edge is searched while its variance is more than this share of what it leaves. */
   private static final double SEARCHED = 0.2;
+
+  /** What is done with a pixel. */
+  interface Work {
+
+    /**
+     * Refines a pixel.
+     *
+     * @param twice whether a search that goes on as foreseen is worth a second step at once
+     */
+    void refine(int pixel, boolean twice);
+  }
 
   private final Film film;
   private final ErrorModel model;
@@ -194,10 +207,10 @@ final class Allocation {
   }
 
   /** Tells of every pixel that is to be refined now. */
-  void forEachWorthy(IntConsumer work) {
+  void forEachWorthy(Work work) {
     for (int i = 0; i < active.length; i++) {
       if (next[i] >= threshold) {
-        work.accept(active[i]);
+        work.refine(active[i], next[i] >= threshold + QUARTER);
       }
     }
   }

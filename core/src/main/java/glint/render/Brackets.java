@@ -58,6 +58,9 @@ final class Brackets {
   /** Whether it is divided beside a corner next. */
   private boolean[] besideCorner = new boolean[256];
 
+  /** Whether it is divided twice then. */
+  private boolean[] twice = new boolean[256];
+
   /** The places of those that are divided next. */
   private final Selection wanted = new Selection();
 
@@ -116,10 +119,11 @@ final class Brackets {
   }
 
   /** Asks for a side's bracket to be divided, perhaps beside the corner that it ends at. */
-  void want(int number, boolean atCorner) {
+  void want(int number, boolean atCorner, boolean again) {
     int at = open(number);
     wanted.add(at);
     besideCorner[at] |= atCorner;
+    twice[at] |= again;
   }
 
   /** Returns the place of a side, which is given one if it has none. */
@@ -135,6 +139,7 @@ final class Brackets {
       high = Arrays.copyOf(high, more);
       seen = Arrays.copyOf(seen, 6 * more);
       besideCorner = Arrays.copyOf(besideCorner, more);
+      twice = Arrays.copyOf(twice, more);
     }
     int at = places++;
     place[number] = at;
@@ -205,6 +210,14 @@ final class Brackets {
   /** Divides the bracket of a side that an edge crosses, and that was asked for. */
   void divide(Probe probe, int number) {
     int at = place[number];
+    divide(probe, number, at);
+    if (twice[at]) {
+      twice[at] = false;
+      divide(probe, number, at);
+    }
+  }
+
+  private void divide(Probe probe, int number, int at) {
     if (steps[at] == MIXED) {
       return;
     }

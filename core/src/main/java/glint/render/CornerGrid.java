@@ -90,34 +90,42 @@ final class CornerGrid {
     }
   }
 
-  /** Returns whether the eight corners so far around one met the same in the same shadows. */
-  boolean isAlike(int at, int step) {
-    for (int row = at - step * stride; row <= at + step * stride; row += step * stride) {
-      for (int other = row - step; other <= row + step; other += step) {
-        boolean alike = signature[other] == signature[at];
-        if (!alike || (casters.length > 0 && casters[other] != casters[at])) {
-          return false;
-        }
-      }
-    }
-    return true;
+  /** Returns whether two corners met the same in the same shadows. */
+  boolean areAlike(int one, int two) {
+    return signature[one] == signature[two]
+        && (casters.length == 0 || casters[one] == casters[two]);
   }
 
-  /** Returns whether second differences between corners so far apart are at most so many levels. */
-  boolean isEven(int at, int step, float most) {
+  /**
+   * Returns whether levels bend little enough along a line to fill a corner in: second differences
+   * between corners one and three steps away are at most so many levels, or what they change by is.
+   *
+   * @param before whether the line goes on alike three steps before the corner
+   * @param after whether it does so three steps after it
+   * @param curve how many levels they are at most even then
+   */
+  boolean isEven(int at, int step, boolean before, boolean after, float most, float curve) {
+    float bend = 0;
+    float change = 0;
+    int next = 3 * step;
     for (int i = 3 * at; i < 3 * at + 3; i++) {
-      float twice = 2 * levels[i];
-      int down = 3 * step * stride;
-      if (!(Math.abs(levels[i - 3 * step] - twice + levels[i + 3 * step]) <= most
-          && Math.abs(levels[i - down] - twice + levels[i + down]) <= most)) {
-        return false;
-      }
+      float rise = levels[i + next] - levels[i - next];
+      float first = before ? rise - (levels[i - next] - levels[i - 3 * next]) : 0;
+      float last = after ? levels[i + 3 * next] - levels[i + next] - rise : 0;
+      bend = Math.max(bend, Math.max(Math.abs(first), Math.abs(last)));
+      change = Math.max(change, Math.abs(last - first));
     }
-    return true;
+    return bend <= most || (before && after && bend <= curve && change <= most);
   }
 
-  /** Fills a corner in by a cubic through four on a line with it, of which two are next to it. */
-  void fill(int at, int step) {
+  /**
+   * Fills a corner in from those on a line with it, on both sides of it one and two steps away: by
+   * a cubic through four, or a parabola through three.
+   *
+   * @param before whether the line goes on alike before those next to it
+   * @param after whether it does so after them; one of both is true
+   */
+  void fill(int at, int step, boolean before, boolean after) {
     int a = at - step;
     signature[at] = signature[a];
     first[at] = first[a];
@@ -128,11 +136,18 @@ final class CornerGrid {
     }
     cut[at] = 0;
     filledIn[at] = true;
+    int next = 3 * step;
     for (int i = 3 * at; i < 3 * at + 3; i++) {
-      double near = rgb[i - 3 * step] + rgb[i + 3 * step];
-      double far = rgb[i - 9 * step] + rgb[i + 9 * step];
-      rgb[i] = Math.max(0, (9 * near - far) / 16);
-      levels[i] = 0.5f * (levels[i - 3 * step] + levels[i + 3 * step]);
+      double sum = rgb[i - next] + rgb[i + next];
+      double middle;
+      if (before && after) {
+        middle = (9 * sum - (rgb[i - 3 * next] + rgb[i + 3 * next])) * 0x1p-4;
+      } else {
+        int on = after ? next : -next;
+        middle = (3 * (sum + rgb[i + on]) - rgb[i + 3 * on]) * 0x1p-3;
+      }
+      rgb[i] = Math.max(0, middle);
+      levels[i] = 0.5f * (levels[i - next] + levels[i + next]);
     }
     if (prints != null) {
       prints.fill(at, levels);
@@ -217,62 +232,5 @@ final class CornerGrid {
     int a = y * stride + x;
     int c = a + stride;
     return random[a] || random[a + 1] || random[c] || random[c + 1];
-  }
-
-  /**
-   * Finds, for a row of pixels, the variance, in levels² and the mean over channels, of the up to
-   * 16 corners of each pixel and its neighbours.
-   *
-   * @param levels of the corners: {@link #levels}, or {@link Prints#plain}
-   * @param scratch six numbers for every column of corners
-   * @param out where the variances are stored, from an index on
-   */
-  void contrasts(int y, float[] levels, double[] scratch, float[] out, int index) {
-    int channels = 3 * stride;
-    int first = Math.max(0, y - 1);
-    int last = Math.min(rows - 1, y + 2);
-    for (int i = 0; i < channels; i++) {
-      double sum = 0;
-      double squares = 0;
-      for (int at = first * channels + i; at <= last * channels + i; at += channels) {
-        double level = levels[at];
-        sum += level;
-        squares += level * level;
-      }
-      scratch[2 * i] = sum;
-      scratch[2 * i + 1] = squares;
-    }
-    for (int x = 0; x < stride - 1; x++) {
-      int left = Math.max(0, x - 1);
-      int right = Math.min(stride - 1, x + 2);
-      int count = (right - left + 1) * (last - first + 1);
-      double r = 0;
-      double g = 0;
-      double b = 0;
-      double r2 = 0;
-      double g2 = 0;
-      double b2 = 0;
-      for (int i = 6 * left; i <= 6 * right; i += 6) {
-        r += scratch[i];
-        r2 += scratch[i + 1];
-        g += scratch[i + 2];
-        g2 += scratch[i + 3];
-        b += scratch[i + 4];
-        b2 += scratch[i + 5];
-      }
-      double variance = variance(r, r2, count) + variance(g, g2, count) + variance(b, b2, count);
-      out[index + x] = (float) (variance / 3);
-    }
-  }
-
-  private static double variance(double sum, double squares, int count) {
-    double mean = over(sum, count);
-    double variance = over(squares, count) - mean * mean;
-    return variance > 0 ? variance : 0;
-  }
-
-  /** Divides by a count of corners; by most without a division, which comes to the same. */
-  private static double over(double sum, int count) {
-    return count == 16 ? sum * 0x1p-4 : sum / count;
   }
 }

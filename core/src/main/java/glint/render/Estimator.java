@@ -94,8 +94,8 @@ final class Estimator {
     return brackets.endsAtCorner(split.crossed(0), 2) && brackets.endsAtCorner(split.crossed(1), 2);
   }
 
-  /** Asks for the brackets of a split pixel to be divided. */
-  void want(int x, int y) {
+  /** Asks for the brackets of a split pixel to be divided, once or twice. */
+  void want(int x, int y, boolean twice) {
     if (split.cross(x, y)) {
       int steps = split.steps();
       int one = split.crossed(0);
@@ -104,7 +104,7 @@ final class Estimator {
       for (int i = 0; i < 2; i++) {
         int side = split.crossed(i);
         if (brackets.steps(side) <= steps + 1) {
-          brackets.want(side, both || brackets.endsAtCorner(side, 3));
+          brackets.want(side, both || brackets.endsAtCorner(side, 3), twice);
         }
       }
     }

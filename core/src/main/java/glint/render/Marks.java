@@ -52,7 +52,7 @@ final class Marks {
   private final List<Shadow> shadows = new ArrayList<>();
   private final List<Vector3d> places = new ArrayList<>();
 
-  /** Corners that are looked at in a row. */
+  /** Squares in a row. */
   private final int columns;
 
   private final boolean[] marked;
@@ -70,8 +70,8 @@ final class Marks {
     int across = corners.stride / STEP;
     int down = corners.rows / STEP;
     cells = new Glimpses(across, down);
-    columns = across + 1;
-    marked = new boolean[columns * (down + 1)];
+    columns = across;
+    marked = new boolean[across * down];
     if (!shown.isEmpty()) {
       findShadows();
       shown.forEach(this::add);
@@ -84,9 +84,9 @@ final class Marks {
     return (1 + lights) * scene.scene().placements().size();
   }
 
-  /** Returns whether a corner is marked, by its number among those that are looked at. */
-  boolean at(int number) {
-    return marked[number];
+  /** Returns whether a square between four of the corners that are looked at is marked. */
+  boolean at(int column, int row) {
+    return marked[row * columns + column];
   }
 
   private void findShadows() {
@@ -234,10 +234,6 @@ final class Marks {
   }
 
   private void mark(int x, int y) {
-    int at = y * columns + x;
-    marked[at] = true;
-    marked[at + 1] = true;
-    marked[at + columns] = true;
-    marked[at + columns + 1] = true;
+    marked[y * columns + x] = true;
   }
 }

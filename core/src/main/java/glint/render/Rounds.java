@@ -162,9 +162,9 @@ final class Rounds {
     allocation.aim(variance(next));
     Estimator any = crew.workers().get(0).estimator;
     allocation.forEachWorthy(
-        pixel -> {
+        (pixel, twice) -> {
           if (allocation.searches(pixel)) {
-            any.want(pixel % film.width, pixel / film.width);
+            any.want(pixel % film.width, pixel / film.width, twice);
           } else if (film.level[pixel] < MOST) {
             sampling.choose(pixel);
           }

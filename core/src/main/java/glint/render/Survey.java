@@ -20,9 +20,12 @@ final class Survey {
   private final Brackets brackets;
   private final Probe probe;
   private final Inlay inlay;
-  private final double[] scratch;
+  private final Contrasts contrasts;
 
-  /** The contrasts of a row, if images had one colour all over. */
+  /** Those if images had one colour all over; null if there are none. */
+  private final Contrasts plainContrasts;
+
+  /** What those are of a row. */
   private final float[] plain;
 
   /** The sum over the up to three pixels of a column; one column more on each side. */
@@ -34,16 +37,18 @@ final class Survey {
     this.brackets = brackets;
     this.probe = probe;
     this.inlay = inlay;
-    scratch = new double[6 * corners.stride];
-    plain = new float[corners.prints == null ? 0 : film.width];
+    Prints prints = corners.prints;
+    contrasts = new Contrasts(corners, corners.levels);
+    plainContrasts = prints == null ? null : new Contrasts(corners, prints.plain);
+    plain = new float[prints == null ? 0 : film.width];
     edges = new int[film.width + 2];
   }
 
   /** Decides what kind the pixels of a row are by their corners. */
   void classify(int y) {
-    corners.contrasts(y, corners.levels, scratch, film.contrast, y * film.width);
-    if (corners.prints != null) {
-      corners.contrasts(y, corners.prints.plain, scratch, plain, 0);
+    contrasts.find(y, film.contrast, y * film.width);
+    if (plainContrasts != null) {
+      plainContrasts.find(y, plain, 0);
     }
     for (int x = 0; x < film.width; x++) {
       classify(x, y);

@@ -23,11 +23,13 @@ public final class Sight {
   private final Vector3d[] normals = new Vector3d[MOST];
   private int count;
   private boolean plain;
+  private boolean dull;
 
   void clear() {
     mirrors.clear();
     count = 0;
     plain = true;
+    dull = true;
   }
 
   /** Adds what a ray has met. */
@@ -37,6 +39,7 @@ public final class Sight {
       plain &= material.specular().isBlack() && material.reflection().isBlack();
       plain &= !material.texture().isPresent();
     }
+    dull &= material.specular().isBlack();
     plain &= !material.isTransparent();
     plain &= !(material.texture().orElse(null) instanceof ImageTexture);
   }
@@ -56,6 +59,11 @@ public final class Sight {
   /** Returns whether the last ray saw nothing but what is plain. */
   public boolean isPlain() {
     return plain;
+  }
+
+  /** Returns whether nothing of that has highlights. */
+  public boolean isDull() {
+    return dull;
   }
 
   /** Returns by which mirrors it did, in one number; 0 if by none. */

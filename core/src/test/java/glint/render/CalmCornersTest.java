@@ -176,6 +176,22 @@ class CalmCornersTest {
     assertTrue(difference(result, truth(scene)) < 0.05, () -> "off by " + s);
   }
 
+  /** Beside lamps close to a wall light bends by more than what is accepted, but slowly. */
+  @Test
+  void dullWallsAreFilledInThoughLightBends() {
+    Material dull = new Material(Rgb.WHITE, Rgb.grey(0.9), Rgb.BLACK, 1, Rgb.BLACK, Rgb.BLACK);
+    Scene.Builder scene =
+        view().place(Placement.of(new Plane(Vector3d.ZERO, new Vector3d(0, 0, 1)), dull));
+    for (int i = 0; i < 12; i++) {
+      Vector3d place = new Vector3d(60 + 120 * (i % 4), 60 + 120 * (i / 4), 30);
+      scene.light(new Light.Point(place, Rgb.grey(0.3), false));
+    }
+    double share = filledIn(scene.build(), 0.25);
+    assertTrue(share > 0.7, () -> "only " + share);
+    double off = difference(render(scene.build(), 0.25), truth(scene.build()));
+    assertTrue(off < 0.01, () -> "off by " + off);
+  }
+
   /** A highlight a few pixels wide, which four corners so far apart would not tell of. */
   @Test
   void whereLevelsBendAllCornersAreTraced() {
