@@ -36,13 +36,13 @@ public final class PeersTable {
   private static final int TURNS = 2;
 
   /** CPU seconds of renders in a turn at least: clocks count in hundredths. */
-  private static final double TURN = 0.3;
+  private static final double TURN = 1;
 
   /** CPU seconds of a setting after which no slower ones are tried. */
   private static final double PATIENCE = 20;
 
   /** CPU seconds of renders before the turns, for what is compiled while it runs. */
-  private static final double WARM_UP = 10;
+  private static final double WARM_UP = 30;
 
   /** The most that two references may differ, in display levels. */
   private static final double SAME = 0.3;
