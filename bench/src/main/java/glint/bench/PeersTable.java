@@ -33,7 +33,10 @@ public final class PeersTable {
   private static final int FINER = 32;
 
   /** Renders of each setting, by turns; the fastest counts, as what else runs only slows down. */
-  private static final int TURNS = 2;
+  private static final int TURNS = 5;
+
+  /** Settings that take more than so many CPU seconds have two turns only. */
+  private static final double QUICK = 1;
 
   /** CPU seconds of renders in a turn at least: clocks count in hundredths. */
   private static final double TURN = 1;
@@ -145,6 +148,9 @@ public final class PeersTable {
         } else {
           for (int k = 0; k < of.size(); k++) {
             Point point = of.get(k);
+            if (turn > 1 && point.seconds() > QUICK) {
+              continue;
+            }
             double seconds = turn(peers.get(i), point.setting()).seconds();
             double faster = Math.min(seconds, point.seconds());
             of.set(k, new Point(point.setting(), point.levels(), faster));

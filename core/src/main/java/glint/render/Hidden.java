@@ -20,8 +20,11 @@ final class Hidden {
   /** The area, as a share of the pixel, of a typical thing that a model knows nothing of. */
   private static final double AREA = 0.15;
 
-  /** What models get wrong before any audit, in relation to the contrast around, squared. */
-  private static final double FIRST_GUESS = 0.002;
+  /**
+   * What models get wrong before any audit, in relation to the contrast around, squared: of smooth
+   * pixels, it is less in nineteen of twenty images.
+   */
+  private static final double FIRST_GUESS = 0.0002;
 
   /** As how many audits that guess counts. */
   private static final int GUESSED = 10;

@@ -14,6 +14,12 @@ final class Rounds {
   /** Audits of an image at most: what is learned at first may no longer hold at the end. */
   private static final int AUDITS = 2;
 
+  /**
+   * Within so many times the error that is accepted models are audited, so that the rounds left go
+   * by what is found; once more where the error falls by as much after that.
+   */
+  private static final double NEAR = 2;
+
   /** The most samples of a pixel, as a power of two. */
   private static final int MOST = 20;
 
@@ -67,6 +73,7 @@ final class Rounds {
     sampleBusy();
     int audits = 0;
     boolean audited = false;
+    double nextAudit = Double.POSITIVE_INFINITY;
     for (int round = 0; ; round++) {
       boolean learned = brackets.learn();
       if (round == 0) {
@@ -78,8 +85,10 @@ final class Rounds {
       double error = error(allocation.total());
       done.whole(crew.workers(), error);
       boolean reached = error <= levels;
-      boolean due = reached || (audits == 0 && round == EARLY_ROUNDS);
-      if (due && !audited && audits < AUDITS) {
+      nextAudit = audited ? error / NEAR : nextAudit;
+      audited = false;
+      boolean due = error <= NEAR * levels || (audits == 0 && round == EARLY_ROUNDS);
+      if (due && error < nextAudit && audits < AUDITS) {
         audit.run(audits++);
         audited = true;
         allocation.wake();
@@ -90,7 +99,6 @@ final class Rounds {
       if (reached || late || !refine(next)) {
         return error;
       }
-      audited = false;
     }
   }
 
